@@ -2,12 +2,12 @@
 
 #[allow(dead_code, reason = "the test calls what `main` calls")]
 #[path = "../examples/fit.rs"]
-mod fit;
+mod example;
 
 #[test]
 fn the_fit_prints_what_its_head_says() {
     let mut printed = Vec::new();
-    fit::report(&mut printed).expect("it ends");
+    example::report(&mut printed).expect("it ends");
     let head = include_str!("../examples/fit.rs")
         .lines()
         .skip_while(|line| *line != "//! ```text")

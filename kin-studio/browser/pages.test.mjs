@@ -212,6 +212,25 @@ test("play moves the mechanism, and pause holds it", () =>
     assert.equal(await inputNow(page), held);
   }));
 
+test("at a negative speed the crank turns backwards, as its arrow says", () =>
+  withPage(addressOf("four_bar"), async (page) => {
+    const arrow = () => page.getAttribute("#picture .drive-head", "d");
+    const forwards = await arrow();
+    await page.click("#open-dimensions");
+    const field = page.locator('input[aria-label^="Speed of"]');
+    await field.fill(String(-Number(await field.inputValue())));
+    await settle(page);
+    assert.notEqual(await arrow(), forwards);
+    const start = await inputNow(page);
+    await page.click("#play");
+    await page.waitForTimeout(500);
+    await page.click("#play");
+    await settle(page);
+    const held = await inputNow(page);
+    const change = ((held - start + 540) % 360) - 180;
+    assert.ok(change < -3, `from ${start} to ${held}`);
+  }));
+
 test("motion starts by itself, unless the reader prefers less of it", async () => {
   await withPage(addressOf("four_bar"), async (page) => assert.equal(await page.textContent("#play"), "Pause"), {
     reducedMotion: "no-preference",

@@ -9,14 +9,17 @@ const LIMIT = 8000;
 export function createBoard(ask, declared) {
   const [panel, button, choice] = [part("drawn"), part("draw"), part("drawings")];
   let isQuiet = false;
+  /** A drawing with its `.kin` file. */
+  let last = { file: null, sketch: null };
 
   const drawing = createDrawing(part("drawing"), part("tools"), {
     async declare(sketch) {
       const { drawn, refused } = await ask({ ask: "draw", sketch }, LIMIT);
       return drawn ?? { faults: [{ message: refused ?? "", advice: "", points: [], links: [], slides: [] }] };
     },
-    changed(result) {
+    changed(result, sketch) {
       if (result.file && !isQuiet && !panel.hidden) {
+        last = { file: result.file, sketch };
         declared(result.file);
       }
       isQuiet = false;
@@ -43,11 +46,25 @@ export function createBoard(ask, declared) {
   button.addEventListener("click", () => show(panel.hidden));
 
   return {
-    /** Shows a drawing that another program made. Its declaration, with motions and units, is known already. */
-    load(sketch) {
+    /**
+     * Shows a drawing of another program or of a link. Its `.kin` file, with motions and units, is known already.
+     * @throws {RangeError} if the data is no drawing
+     */
+    load(sketch, file) {
+      const wasShown = !panel.hidden;
+      // a drawing that is not seen has no size to be fitted into
       show(true);
+      try {
+        drawing.load(sketch);
+      } catch (error) {
+        show(wasShown);
+        throw error;
+      }
       isQuiet = true;
-      drawing.load(sketch);
+      last = { file, sketch };
     },
+
+    /** The drawing from which a text was written, as long as nobody has changed the text; else null. */
+    drawingOf: (text) => (text === last.file ? last.sketch : null),
   };
 }

@@ -1,7 +1,7 @@
 /** The page of kin: text on the left, the moving page on the right. */
 import { button, made, part, setText } from "../../kin-studio/src/page/elements.mjs";
 import { handOver } from "../../kin-studio/src/page/saving.mjs";
-import { addressOf, textOf } from "./address.mjs";
+import { addressOf, readAddress } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
 import { createEditor } from "./editor.mjs";
 import { createFrames } from "./frame.mjs";
@@ -15,9 +15,10 @@ const LIMITS = { short: 4000, motion: 10_000, report: 60_000 };
 const PAUSE = 40;
 
 const module = kinModule();
-/** Each kind of question has a worker, so that peaks, which take time, hold nothing up. */
+/** Each kind of question has a worker, so that peaks, which take time, hold nothing up, and no question ends another. */
 const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
+const byButton = createAsking(startWorker, module);
 const board = createBoard(createAsking(startWorker, module), (text) => editor.set(text));
 let examples = [];
 let functions = [];
@@ -93,7 +94,7 @@ async function compile() {
     return;
   }
   outline = check.outline;
-  history.replaceState(null, "", `#${await addressOf(text)}`);
+  history.replaceState(null, "", `#${await addressOf(text, board.drawingOf(text))}`);
   if (refused) {
     refuse(refused);
     return;
@@ -125,13 +126,13 @@ async function take(text) {
     return;
   }
   say("reading …");
-  const { imported, refused } = await slow({ ask: "import", text }, LIMITS.report);
+  const { imported, refused } = await byButton({ ask: "import", text }, LIMITS.report);
   if (refused) {
     say("");
     refuse(refused);
     return;
   }
-  board.load(imported.sketch);
+  board.load(imported.sketch, imported.drawn.file);
   if (imported.drawn.file) {
     editor.set(imported.drawn.file);
   }
@@ -150,7 +151,7 @@ async function save(kind) {
   }
   const question = kind === "page" ? { ask: "page", text } : { ask: "code", text, language: kind };
   say("writing …");
-  const { text: page, files, refused } = await slow(question, LIMITS.report);
+  const { text: page, files, refused } = await byButton(question, LIMITS.report);
   say(refused ?? "");
   for (const [file, content] of page ? [[`${fileName}.html`, page]] : (files ?? [])) {
     textFile(file, content, page ? "text/html" : "text/plain");
@@ -158,7 +159,8 @@ async function save(kind) {
 }
 
 async function copyLink() {
-  const address = `${location.href.split("#")[0]}#${await addressOf(editor.text())}`;
+  const text = editor.text();
+  const address = `${location.href.split("#")[0]}#${await addressOf(text, board.drawingOf(text))}`;
   history.replaceState(null, "", address);
   try {
     await navigator.clipboard.writeText(address);
@@ -169,7 +171,7 @@ async function copyLink() {
 }
 
 async function format() {
-  const { text, refused } = await quick({ ask: "format", text: editor.text() }, LIMITS.short);
+  const { text, refused } = await byButton({ ask: "format", text: editor.text() }, LIMITS.short);
   if (text && text !== editor.text()) {
     editor.set(text);
   }
@@ -178,7 +180,7 @@ async function format() {
 
 async function begin() {
   const asked = quick({ ask: "examples" }, LIMITS.motion);
-  const fromAddress = await textOf(location.hash);
+  const { text: fromAddress, drawing } = await readAddress(location.hash);
   const askedFunctions = slow({ ask: "functions" }, LIMITS.motion);
   examples = (await asked).examples ?? [];
   functions = (await askedFunctions).functions ?? [];
@@ -191,10 +193,24 @@ async function begin() {
       editor.set(text);
     }
   });
-  editor.set(fromAddress ?? textOfExample("FourBar") ?? "kin 1\n");
+  follow(fromAddress ?? textOfExample("FourBar") ?? "kin 1\n", drawing);
   if (location.hash && fromAddress === null) {
     say("The link is damaged: it holds no mechanism.");
   }
+}
+
+/** Shows the text of a link, and its drawing. */
+function follow(text, drawing) {
+  if (drawing !== null) {
+    try {
+      board.load(drawing, text);
+    } catch (error) {
+      if (!(error instanceof RangeError)) {
+        throw error;
+      }
+    }
+  }
+  editor.set(text);
 }
 
 part("open").addEventListener("click", () => part("file").click());
@@ -214,9 +230,9 @@ for (const button of document.querySelectorAll("[data-save]")) {
   });
 }
 addEventListener("hashchange", async () => {
-  const text = await textOf(location.hash);
+  const { text, drawing } = await readAddress(location.hash);
   if (text !== null && text !== editor.text()) {
-    editor.set(text);
+    follow(text, drawing);
   }
 });
 begin();

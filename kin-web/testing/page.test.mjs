@@ -120,8 +120,28 @@ test("a drawing becomes text, and the text moves", async () => {
   await page.locator("#drawings").selectOption({ label: "Toggle clamp" });
   await shows(page, "ToggleClamp");
   assert.match(await page.locator(".cm-content").innerText(), /b == d \+ r4 \* cis\(theta4\);/);
-  // the mechanism is changed by its text as well
-  await page.waitForFunction(() => location.hash.startsWith("#kin="));
+  await page.waitForFunction(() => location.hash.includes("&drawing="));
+  assert.deepEqual(faults, []);
+});
+
+test("a link holds the drawing of its text, as long as the text is the drawing's", async () => {
+  const { page } = await opened();
+  await page.locator("#draw").click();
+  await page.locator("#drawings").selectOption({ label: "Toggle clamp" });
+  await page.waitForFunction(() => location.hash.includes("&drawing="));
+  const hash = await page.evaluate(() => location.hash);
+  const text = await page.locator(".cm-content").innerText();
+  const { page: other, faults } = await opened(hash);
+  await shows(other, "ToggleClamp");
+  assert.equal(await other.locator(".cm-content").innerText(), text);
+  assert.equal(await other.locator("#drawn").isVisible(), true);
+  assert.match(await other.locator("#drawing").getAttribute("aria-label"), /\d points/);
+  await typeText(other, CRANK);
+  await other.waitForFunction(() => !location.hash.includes("&drawing="));
+  // a drawing that is none is left out
+  const { page: third } = await opened(hash.replace(/&drawing=.*/, "&drawing=AAAA"));
+  await shows(third, "ToggleClamp");
+  assert.equal(await third.locator("#drawn").isVisible(), false);
   assert.deepEqual(faults, []);
 });
 

@@ -240,10 +240,10 @@ fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive>(rows: &[usize], sweep: i
 /// In a double crank the rocker makes full revolutions, in one revolution of the crank or two, whatever hangs on it.
 #[test]
 fn all_answers_about_a_double_crank_agree() {
-    hold_all(&[2, 361], |rows| {
-        DOUBLE_CRANK.sweep(Assembly::Open).over(0.0..=TAU, rows)
-    });
-    hold_all(&[3, 37], |rows| {
+    let rows: &[usize] = if samples::are_all() { &[2, 361] } else { &[361] };
+    hold_all(rows, |rows| DOUBLE_CRANK.sweep(Assembly::Open).over(0.0..=TAU, rows));
+    let rows: &[usize] = if samples::are_all() { &[3, 37] } else { &[3] };
+    hold_all(rows, |rows| {
         DOUBLE_CRANK.sweep(Assembly::Crossed).over(-1.0..=2.0 * TAU, rows)
     });
 }
@@ -270,7 +270,7 @@ fn all_answers_about_a_quick_return_agree() {
 #[test]
 fn all_answers_about_random_linkages_agree() {
     let mut random = Random::new(7);
-    for sample in 0..samples::of(30) {
+    for sample in 0..samples::of(20) {
         let mut length = || {
             let length = random.between(1.0, 10.0);
             if sample % 3 == 0 { length.round() } else { length }

@@ -133,12 +133,12 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, start: M::Inputs<f64>) -> 
 fn random_linkages_answer_without_their_types() {
     let mut random = Random::new(31);
     let mut closed = 0;
-    for _ in 0..samples::of(100) {
+    for _ in 0..samples::of(30) {
         let [r1, r2, r3, r4] = [(); 4].map(|()| random.between(0.3, 2.0));
         let start = [random.between(-3.0, 3.0)];
         closed += u32::from(compare(&FourBar { r1, r2, r3, r4 }, start));
     }
-    assert!(closed > samples::of(40), "{closed}");
+    assert!(closed > samples::of(10), "{closed}");
 }
 
 #[test]
@@ -152,5 +152,8 @@ fn several_inputs_outputs_and_coupled_blocks_answer_without_their_types() {
     };
     assert!(compare(&robot, [0.3, 1.0]));
     assert!(compare(&CRANK_ROCKER, [0.2]));
-    assert!(compare(&triad(), [1.8; 3]));
+    // as many seconds as all others together
+    if samples::are_all() {
+        assert!(compare(&triad(), [1.8; 3]));
+    }
 }

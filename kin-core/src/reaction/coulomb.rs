@@ -389,8 +389,8 @@ mod tests {
     use std::vec::Vec;
 
     use super::{Contact, FrictionLoads, Measure, Unsolved, solve};
-    use crate::number::Number as _;
     use crate::number::series::Series;
+    use crate::number::{Number as _, samples};
     use crate::verify::Random;
 
     type Fifth = Series<5>;
@@ -459,7 +459,7 @@ mod tests {
     fn an_iteration_gives_the_same() {
         let mut random = Random::new(21);
         for count in 1..8 {
-            for _ in 0..30 {
+            for _ in 0..samples::of(50) {
                 let reach = 0.8 / f64::from(u8::try_from(count).expect("a few"));
                 let mut series =
                     |size: f64| Fifth::from_coefficients(core::array::from_fn(|_| random.between(-size, size)));

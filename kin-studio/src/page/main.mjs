@@ -276,7 +276,7 @@ export function start(report, solver, kept = null) {
       }
       return;
     }
-    const change = state.forward * state.pace * seconds * Math.abs(state.design.speed) * secondsOf(model.units.time);
+    const change = state.forward * state.pace * seconds * state.design.speed * secondsOf(model.units.time);
     const moved = movedInput(sweep, state.x, change);
     state.x = moved.x;
     if (state.once > 0) {
@@ -518,7 +518,7 @@ export function start(report, solver, kept = null) {
   function senseOf(driver) {
     return driver === null
       ? 0
-      : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, 1, 1)[1]);
+      : state.forward * Math.sign(motionOf(model.drive, driver, lastRow.x, lastRow.piece, state.design.speed, 1)[1]);
   }
 
   function drawPose() {
@@ -874,8 +874,9 @@ export function start(report, solver, kept = null) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }
     const [first] = sweep.spans;
+    const begin = given.speed < 0 && !(model.period > 0) ? model.to : model.from;
     // not at a limit, where rates are unbounded
-    state.x = spanAt(sweep, model.from) || !first ? model.from : 0.5 * (first.from + first.to);
+    state.x = spanAt(sweep, begin) || !first ? begin : 0.5 * (first.from + first.to);
     const plots = report.plots ?? [];
     const isPlotted = ({ column }) => plots.includes(column);
     const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);

@@ -142,6 +142,7 @@ fn guessed_bodies_have_no_forces() {
 
 /// A coupled block is swept from inside of the range to both ends, and the samples ascend.
 #[test]
+#[cfg_attr(not(feature = "gallery"), ignore = "a minute, for the feature gallery")]
 fn samples_of_coupled_blocks_ascend() {
     let triad = triad();
     let loads = AnyLinkage::of::<ClassThreeTriad>(&triad)

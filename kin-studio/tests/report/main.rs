@@ -123,6 +123,7 @@ fn numbers_are_those_of_sweeps() {
 
 /// An assembly that closes only beyond the range would show the numbers of another assembly.
 #[test]
+#[cfg_attr(not(feature = "gallery"), ignore = "half a minute, for the feature gallery")]
 fn assemblies_of_coupled_blocks_lie_in_the_range() {
     let triad = triad();
     let [b, c] = [3.4, 3.6];

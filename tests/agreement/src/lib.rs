@@ -13,8 +13,15 @@ use kin_core::batch::KeptMemory;
 use kin_core::series::Series;
 use kin_live::{Budget, CompilerBudget};
 
-/// The positions, possible or not, at which everything is compared.
-const SAMPLES: usize = 200;
+/// How many positions, possible or not, everything is compared at: a quarter of them without the environment variable
+/// `KIN_EVERY_CASE`.
+fn samples() -> usize {
+    if std::env::var_os("KIN_EVERY_CASE").is_some() {
+        200
+    } else {
+        50
+    }
+}
 
 /// The text between the braces of the declaration of a structure.
 ///

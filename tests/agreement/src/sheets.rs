@@ -6,9 +6,9 @@ use kin_core::any::{ClosureOver, Of, OutputsOver, SkeletonOver};
 use kin_core::{Mechanism, Row};
 use kin_live::sheet::SheetCode;
 
-use crate::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
+use crate::samples;
 
 /// The numbers of a position: parameters, inputs and unknowns.
 type Numbers<T> = [Vec<T>; 3];
@@ -48,7 +48,7 @@ fn assert_agreeing<T: Bits>(sheet: &Sheet, counts: [usize; 3], compiled: impl Fn
     let zero = T::constant(0.0);
     let [mut found, mut expected] = [vec![zero; code.results()], vec![zero; code.results()]];
     let mut finite = 0;
-    for _ in 0..SAMPLES {
+    for _ in 0..samples() {
         let numbers = counts.map(|count| (0..count).map(|_| T::drawn(&mut random)).collect::<Vec<T>>());
         let [parameters, inputs, unknowns] = &numbers;
         code.run(parameters, inputs, unknowns, &mut registers, &mut found);

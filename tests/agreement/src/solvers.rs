@@ -6,9 +6,9 @@ use kin_core::any::{
 };
 use kin_core::{Mechanism, SolveError, TransmissionAngle};
 
-use crate::SAMPLES;
 use crate::bits::Bits;
 use crate::random::Random;
+use crate::samples;
 
 /// The searches for all positions of a mechanism, each of which may follow hundreds of paths.
 const SEARCHES: usize = 2;
@@ -146,7 +146,7 @@ pub(crate) fn agreeing<M: Mechanism<Scalar = f64>, T: Bits>(live: &kin_live::Mec
     let mut random = Random::new(11);
     let mut solved = 0;
     let mut found: Option<Vec<T>> = None;
-    for sample in 0..SAMPLES {
+    for sample in 0..samples() {
         let broken = sample % 50 == 49;
         let mut drawn = |count: usize| (0..count).map(|_| T::drawn(&mut random)).collect::<Vec<T>>();
         let (parameters, motions, near) = (

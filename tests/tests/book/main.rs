@@ -1,4 +1,4 @@
-//! The texts that people read: the chapters of the book, and the messages about mistakes.
+//! The texts that people read: the chapters of the book, with their programs.
 
 mod chapters;
 mod examples;
@@ -7,4 +7,3 @@ mod forward_dynamics;
 #[cfg(feature = "other-crates")]
 mod free_fall;
 mod laws;
-mod mistakes;

@@ -324,7 +324,7 @@ fn units_of_length(library: usize, coupled: usize, random: usize, powers: usize,
 
 #[test]
 fn small() {
-    units_of_length(3, 1, samples::of(1200), 3, 1);
+    units_of_length(3, 1, samples::of(400), 3, 1);
 }
 
 #[test]

@@ -1,19 +1,13 @@
 //! Recorded solvers of the whole library against the solvers themselves.
 //!
-//! Tests of other languages need tools besides Rust, and much to compile: they stand behind the feature `every-case`.
+//! Tests of other languages need tools besides Rust: they are ignored, and `.ci/run languages` runs them.
 
-#[cfg(feature = "every-case")]
 mod arguments;
-#[cfg(feature = "every-case")]
 mod c;
-#[cfg(feature = "every-case")]
 mod chapter;
-#[cfg(feature = "every-case")]
 mod exact;
-#[cfg(feature = "every-case")]
 mod languages;
 mod poses;
-#[cfg(feature = "every-case")]
 mod sensitivities;
 
 use kin_core::tape::{self, Options, Stop};

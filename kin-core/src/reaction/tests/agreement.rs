@@ -12,6 +12,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{Loaded, Loads};
 use crate::mechanism::Mechanism;
+use crate::number::samples;
 use crate::reaction::{NamedReactions, Reaction, ReactionPart, Reactions};
 use crate::verify::Random;
 
@@ -135,7 +136,7 @@ fn compare<M: Mechanism<Scalar = f64>>(mechanism: &M, range: [f64; 2]) {
 fn virtual_work_gives_the_same_efforts() {
     compare(&FOUR_BAR, [0.4, 2.9]);
     let mut random = Random::new(3);
-    for _ in 0..10 {
+    for _ in 0..samples::of(20) {
         // by Grashof's condition, each is a crank-rocker
         let [r1, r2, r3, r4] =
             [(0.8, 1.0), (0.2, 0.3), (0.7, 0.9), (0.65, 0.7)].map(|(low, high)| random.between(low, high));

@@ -14,6 +14,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::NamedLoads;
 use crate::motion::Motion;
+use crate::number::samples;
 use crate::reaction::{Friction, NamedReactions, ReactionError, ReactionPart, Reactions};
 use crate::verify::Random;
 
@@ -424,7 +425,7 @@ const LIFT_FRICTION: [(&str, Friction); 7] = [
 #[test]
 fn power_is_balanced() {
     let mut random = Random::new(8);
-    for _ in 0..20 {
+    for _ in 0..samples::of(20) {
         let [r1, r2, r3, r4] =
             [(0.8, 1.0), (0.2, 0.3), (0.7, 0.9), (0.65, 0.7)].map(|(low, high)| random.between(low, high));
         let mechanism = FourBar { r1, r2, r3, r4 };
@@ -439,7 +440,7 @@ fn power_is_balanced() {
             [start, start + random.between(-2.0, 2.0)],
         );
     }
-    for _ in 0..10 {
+    for _ in 0..samples::of(10) {
         let linkage = AnyLinkage::of(&ENGINE);
         let loads = heavy(&linkage)
             .force(Plane::new(random.between(-900.0, 900.0), 0.0), "piston")

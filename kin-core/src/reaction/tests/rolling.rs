@@ -9,6 +9,7 @@ use crate::library;
 use crate::linkage::AnyLinkage;
 use crate::load::{NamedLoads, PointPlace};
 use crate::mechanism::Mechanism;
+use crate::number::samples;
 use crate::reaction::{NamedReactions, ProofError, ReactionPart, Rolling};
 use crate::verify::Random;
 
@@ -187,7 +188,7 @@ fn virtual_work_gives_the_same_efforts() {
     };
     geared(GEARED);
     let mut random = Random::new(5);
-    for _ in 0..6 {
+    for _ in 0..samples::of(20) {
         let mut near = |value: f64| value + random.between(-0.04, 0.04);
         geared(GearedFiveBar {
             first: near(0.4),

@@ -14,6 +14,7 @@ use crate::linkage::AnyLinkage;
 use crate::load::{NamedLoads, Solid};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
+use crate::number::samples;
 use crate::reaction::{Friction, NamedReactions, ReactionError, ReactionPart, Reactions};
 use crate::verify::Random;
 
@@ -265,7 +266,7 @@ fn virtual_work_gives_the_same_efforts() {
     compare(&SHAFTS, [0.4, 2.9], itself, true);
     compare(&RAIL, [0.4, 2.9], itself, true);
     let mut random = Random::new(11);
-    for _ in 0..6 {
+    for _ in 0..samples::of(10) {
         let mut near = |value: f64| value + random.between(-0.1, 0.1);
         let shafts = Shafts {
             crank: near(0.4),

@@ -210,7 +210,7 @@ assembly = open;
             "#", ";", "\n", "'", "{", ")", "input ", "θ", ",5", "-", "..", " at ", "=", "\u{feff}", "0",
         ];
         let mut kinds = [0; 2];
-        for _ in 0..3000 {
+        for _ in 0..600 {
             let mut text: Vec<char> = FILE.chars().collect();
             for _ in 0..=below(3) {
                 let place = below(text.len());
@@ -225,7 +225,7 @@ assembly = open;
             let read = KinFile::read(&text).map_err(|mistakes| mistakes[0].shown("a.kin", &text));
             kinds[usize::from(read.is_err())] += 1;
         }
-        assert!(kinds[0] > 100 && kinds[1] > 1000, "{kinds:?}");
+        assert!(kinds[0] > 20 && kinds[1] > 200, "{kinds:?}");
     }
 
     #[test]

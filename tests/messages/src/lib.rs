@@ -1,0 +1,1 @@
+//! What rustc says about programs with mistakes: see `tests/messages.rs`.
