@@ -1,7 +1,8 @@
-//! Writes a page for every mechanism of the library, and an index with drawings.
+//! Writes a page for every mechanism of the library, or for those with the given names, and an index with drawings.
 //!
 //! ```sh
 //! cargo run --release -p kin-studio --features gallery --example gallery -- docs/pages
+//! cargo run --release -p kin-studio --features gallery --example gallery -- docs/pages FourBar JansenLeg
 //! ```
 //!
 //! It prints the time and the size of each page.
@@ -20,14 +21,21 @@ use kin_studio::report::{ReportError, file_name};
 const CHAPTER: &str = include_str!("../../docs/library.md");
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = PathBuf::from(std::env::args_os().nth(1).unwrap_or_else(|| "target/pages".into()));
+    let mut arguments = std::env::args();
+    let folder = PathBuf::from(arguments.nth(1).unwrap_or_else(|| "target/pages".to_owned()));
     std::fs::create_dir_all(&folder).map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
     let mut pages = Pages {
         folder,
+        wanted: arguments.collect(),
         written: Vec::new(),
         mistake: None,
     };
     library::visit(&mut pages);
+    if let Some(name) = pages.wanted.iter().find(|name| !pages.written.contains(&name.as_str()))
+        && pages.mistake.is_none()
+    {
+        return Err(format!("no mechanism of the library is called `{name}`").into());
+    }
     if let Some(error) = pages.mistake {
         return Err(error.into());
     }
@@ -44,6 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Writes the pages.
 struct Pages {
     folder: PathBuf,
+    /// The names of the mechanisms; all if there are none.
+    wanted: Vec<String>,
     written: Vec<&'static str>,
     mistake: Option<ReportError>,
 }
@@ -51,6 +61,9 @@ struct Pages {
 impl Visitor for Pages {
     fn visit<M: Mechanism<Scalar = f64>>(&mut self, mechanism: &M, inputs: M::Inputs<f64>, assembly: M::Assembly) {
         let name = M::DESCRIPTION.name;
+        if !self.wanted.is_empty() && !self.wanted.iter().any(|wanted| wanted == name) {
+            return;
+        }
         let file = self.folder.join(format!("{}.html", file_name(name)));
         match write(mechanism, inputs, assembly, &file) {
             Ok(()) => self.written.push(name),

@@ -11,12 +11,20 @@ use crate::sweep::Local;
 const PRECISION: f64 = 1e-12;
 /// The halvings of a stretch.
 const HALVINGS: usize = 12;
+/// The number of halvings, and of points of the trapezoid rule, after which the rounding errors of the poses are
+/// measured. Where they make the difference of two sums, more points bring nothing.
+const MEASURED_HALVINGS: usize = 4;
+const MEASURED_POINTS: u32 = 256;
+/// The distance from a point at which its rounding error shows, as a part of an interval.
+const BESIDE: f64 = 1.0 / 1024.0;
 /// A piece of a curve that is shorter than this part of a stretch is next to a kink.
 const SHARP: f64 = 1.0 / 1_048_576.0;
 /// The ratio of lengths above which one piece is halved more often than the other.
 const HALF: f64 = 1.5;
 /// The most points of the trapezoid rule.
 const MOST_POINTS: u32 = 1 << 15;
+/// Points at which rounding errors are measured, as parts of an interval.
+const SOME_POINTS: [f64; 4] = [0.13, 0.37, 0.61, 0.89];
 
 /// The variable over which a mean is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +61,25 @@ impl Integral {
             size: self.size + factor * other.size,
             weight: self.weight + factor * other.weight,
         }
+    }
+
+    /// The mean size of the quantity to its power.
+    fn mean_size(self) -> f64 {
+        if self.weight > 0.0 {
+            self.size / self.weight
+        } else {
+            0.0
+        }
+    }
+
+    /// The mean, unless its error is too large.
+    fn mean(self, error: f64, covered: f64) -> Result<Mean, ExtremesError> {
+        let value = self.value / self.weight;
+        let error = (error + 4.0 * f64::EPSILON * self.size) / self.weight;
+        if error.is_nan() || error > PRECISION * self.size / self.weight {
+            return Err(ExtremesError::Imprecise { value, error });
+        }
+        Ok(Mean { value, error, covered })
     }
 }
 
@@ -145,18 +172,7 @@ impl<'c> Curve<'c> {
                 sum = sum.plus(part, 1.0);
             }
         }
-        let mean = Mean {
-            value: sum.value / sum.weight,
-            error: (error + 4.0 * f64::EPSILON * sum.size) / sum.weight,
-            covered,
-        };
-        if mean.error.is_nan() || mean.error > PRECISION * sum.size / sum.weight {
-            return Err(ExtremesError::Imprecise {
-                value: mean.value,
-                error: mean.error,
-            });
-        }
-        Ok(mean)
+        sum.mean(error, covered)
     }
 
     /// The part of the sweep that stretches cover.
@@ -232,14 +248,40 @@ impl<'c> Curve<'c> {
         let left = self.gauss(stretch, [from, middle], over, power)?;
         let right = self.gauss(stretch, [middle, to], over, power)?;
         let both = left.plus(right, 1.0);
-        let difference = (both.value - whole.value).abs() + (both.weight - whole.weight).abs() * mean_size(both);
+        let difference = (both.value - whole.value).abs() + (both.weight - whole.weight).abs() * both.mean_size();
         if difference <= 0.01 * PRECISION * scale || halvings == 0 {
             *error += difference;
             return Ok(both);
         }
+        if halvings + MEASURED_HALVINGS <= HALVINGS {
+            let rounding = both.weight * self.rounding_of_power(stretch, [from, to], to - from, power)?;
+            if difference <= rounding {
+                *error += difference;
+                return Ok(both);
+            }
+        }
         let left = self.halved(stretch, [from, middle], left, scale, over, power, halvings - 1, error)?;
         let right = self.halved(stretch, [middle, to], right, scale, over, power, halvings - 1, error)?;
         Ok(left.plus(right, 1.0))
+    }
+
+    /// The largest rounding error of a power of the quantity at some points of an interval, as points at a part of a
+    /// distance from them show it.
+    fn rounding_of_power(
+        &self,
+        stretch: &Stretch<'c>,
+        [from, to]: [f64; 2],
+        distance: f64,
+        power: i32,
+    ) -> Result<f64, ExtremesError> {
+        let mut largest: f64 = 0.0;
+        for part in SOME_POINTS {
+            let node = self.node(stretch, from + (to - from) * part, &stretch.mark)?;
+            let rounding = self.rounding(stretch, &node, BESIDE * distance)?;
+            let value = node.value.real().abs();
+            largest = largest.max(Number::powi(value + rounding, power) - Number::powi(value, power));
+        }
+        Ok(largest)
     }
 
     /// The part next to a turning point, from the Taylor series at the nearest point.
@@ -297,44 +339,49 @@ impl<'c> Curve<'c> {
     /// 2014, 385-458.)
     fn over_revolution(&self, stretch: &Stretch<'c>, power: i32) -> Result<Option<Mean>, ExtremesError> {
         let [from, to] = stretch.parameters;
-        let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);
+        let mut points = 16_u32;
+        let mut sum = Integral::default();
         let mut last = f64::NAN;
-        let mut add = |index: u32, points: u32| -> Result<(f64, f64), ExtremesError> {
+        let mut add = |index: u32, points: u32| -> Result<Integral, ExtremesError> {
             let parameter = from + (to - from) * (f64::from(index) / f64::from(points));
             let value = Number::powi(self.node(stretch, parameter, &stretch.mark)?.value.real(), power);
-            sum += value;
-            size += value.abs();
-            Ok((sum, size))
+            let own = Integral {
+                value,
+                size: value.abs(),
+                weight: 1.0,
+            };
+            sum = sum.plus(own, 1.0);
+            Ok(sum)
         };
-        let mut totals = (0.0, 0.0);
+        let mut total = Integral::default();
         for index in 0..points {
-            totals = add(index, points)?;
+            total = add(index, points)?;
         }
         while points < MOST_POINTS {
-            let mean = totals.0 / f64::from(points);
+            let mean = total.value / total.weight;
             let error = (mean - last).abs();
-            if error <= 0.1 * PRECISION * totals.1 / f64::from(points) {
-                return Ok(Some(Mean {
-                    value: mean,
-                    error: error + 4.0 * f64::EPSILON * totals.1 / f64::from(points),
-                    covered: 1.0,
-                }));
+            if error <= 0.1 * PRECISION * total.mean_size() {
+                return total.mean(error * total.weight, 1.0).map(Some);
+            }
+            if points >= MEASURED_POINTS {
+                let distance = (to - from) / f64::from(points);
+                let rounding = self.rounding_of_power(stretch, [from, to], distance, power)?;
+                if error <= rounding {
+                    return total
+                        .mean(
+                            error.max(rounding / num_traits::Float::sqrt(total.weight)) * total.weight,
+                            1.0,
+                        )
+                        .map(Some);
+                }
             }
             last = mean;
             points *= 2;
             for index in (1..points).step_by(2) {
-                totals = add(index, points)?;
+                total = add(index, points)?;
             }
         }
         Ok(None)
-    }
-}
-
-fn mean_size(integral: Integral) -> f64 {
-    if integral.weight > 0.0 {
-        integral.size / integral.weight
-    } else {
-        0.0
     }
 }
 

@@ -250,7 +250,12 @@ impl<'c> Curve<'c> {
     /// The rounding error of the quantity, as points that are close together show it: the difference between poses and
     /// the Taylor series of a pose beside them. On one side of a jump the series holds, so the smaller difference of
     /// both sides counts. An end of a stretch has one side, and none is known there.
-    fn rounding(&self, stretch: &Stretch<'c>, node: &CurveNode<'c>, step: f64) -> Result<f64, ExtremesError> {
+    pub(super) fn rounding(
+        &self,
+        stretch: &Stretch<'c>,
+        node: &CurveNode<'c>,
+        step: f64,
+    ) -> Result<f64, ExtremesError> {
         if stretch.parameters.contains(&node.parameter) {
             return Ok(0.0);
         }

@@ -1,10 +1,11 @@
 //! Extremes against scans, and against what is known in closed form.
 
+use core::cell::Cell;
 use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{At, ExtremeKind, ExtremesError, Over};
+use super::{At, ExtremeKind, ExtremesError, Mean, Over};
 use crate::assembly::{Assembly, Near};
 use crate::law::{ConstantSpeed, Dwell, Law, Piecewise, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FiveBar, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
@@ -978,4 +979,44 @@ fn a_rough_quantity_is_refused() {
         matches!(error, ExtremesError::Unresolved { difference, .. } if difference > 1e-9),
         "{error}"
     );
+}
+
+/// More poses make a mean of rounding errors no more precise. Across the straight line of Peaucellier's cell, its tracer
+/// does not move, and the squares of sine and cosine are 1 over the whole revolution of a crank.
+#[test]
+fn a_mean_of_rounding_errors_ends_soon() {
+    let poses = Cell::new(0);
+    let seen = |value: Local| {
+        poses.set(poses.get() + 1);
+        value
+    };
+    let is_rounding = |mean: Result<Mean, ExtremesError>| {
+        let (value, error) = match mean {
+            Ok(mean) => (mean.value, mean.error),
+            Err(ExtremesError::Imprecise { value, error }) => (value, error),
+            Err(error) => panic!("{error}"),
+        };
+        assert!(value.abs() < 1e-12 && error < 1e-10, "{value} {error}");
+        let count = poses.take();
+        assert!(count < 10_000, "{count}");
+    };
+    let cell = PeaucellierLinkage {
+        ground: 1.0,
+        crank: 1.0,
+        arm: 3.5,
+        side: 1.8,
+    };
+    let sweep = cell
+        .sweep(PeaucellierLinkage::<f64>::STRAIGHT)
+        .over(-0.8..=0.9, 25)
+        .speed(3.0);
+    let across = sweep.of_expression(|at| seen(at.tracer.x().velocity()));
+    is_rounding(across.rms(Over::Time));
+    is_rounding(across.mean(Over::Time));
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 25);
+    let none = turn.of_expression(|at| {
+        let (sine, cosine) = at.theta4.position().sin_cos();
+        seen(sine * sine + cosine * cosine - Local::constant(1.0))
+    });
+    is_rounding(none.rms(Over::Input));
 }
