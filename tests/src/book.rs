@@ -19,7 +19,9 @@ chapters! {
     assemblies: "../../docs/assemblies.md";
     sweeps: "../../docs/sweeps.md";
     cycle: "../../docs/cycle.md";
-    laws_and_loads: "../../docs/laws-and-loads.md";
+    laws: "../../docs/laws.md";
+    loads: "../../docs/loads.md";
+    forces: "../../docs/forces.md";
     batches: "../../docs/batches.md";
     programs: "../../docs/programs.md";
     search: "../../docs/search.md";

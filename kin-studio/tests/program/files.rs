@@ -281,16 +281,13 @@ fn forces_of_a_press() {
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces of a press", all.join("\n"));
     // the book shows the file and its forces
-    let book = include_str!("../../../docs/laws-and-loads.md");
+    let book = include_str!("../../../docs/forces.md");
     let (line, rest) = all[0].split_once('\n').unwrap();
     let shown = rest.strip_suffix("-- code 0\n").unwrap();
-    assert!(
-        book.contains(CRANK_PRESS),
-        "docs/laws-and-loads.md should show\n{CRANK_PRESS}"
-    );
+    assert!(book.contains(CRANK_PRESS), "docs/forces.md should show\n{CRANK_PRESS}");
     assert!(
         book.contains(&format!("{line}\n{shown}```")),
-        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+        "docs/forces.md should show\n{line}\n{shown}"
     );
 }
 
@@ -321,13 +318,10 @@ fn gears_and_racks() {
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("gears and racks", all.join("\n"));
     // the book shows the file and its forces
-    let book = include_str!("../../../docs/laws-and-loads.md");
+    let book = include_str!("../../../docs/forces.md");
     let (shown, _) = all[0].split_once("-- code 0").unwrap();
-    assert!(
-        book.contains(RACK_PRESS),
-        "docs/laws-and-loads.md should show\n{RACK_PRESS}"
-    );
-    assert!(book.contains(shown), "docs/laws-and-loads.md should show\n{shown}");
+    assert!(book.contains(RACK_PRESS), "docs/forces.md should show\n{RACK_PRESS}");
+    assert!(book.contains(shown), "docs/forces.md should show\n{shown}");
     // the page draws the force of the teeth where they touch, and tells the efficiency
     let forces = forces_on_page(&folder, "rack_press.kin");
     let teeth = forces.joints.last().unwrap();
@@ -434,10 +428,10 @@ fn limits_of_forces() {
     assert_snapshot!("limits of forces", all.join("\n"));
     let (line, rest) = all[0].split_once('\n').unwrap();
     let (shown, _) = rest.split_once("-- ").unwrap();
-    let book = include_str!("../../../docs/laws-and-loads.md");
+    let book = include_str!("../../../docs/forces.md");
     assert!(
         book.contains(&format!("{line}\n{shown}```")),
-        "docs/laws-and-loads.md should show\n{line}\n{shown}"
+        "docs/forces.md should show\n{line}\n{shown}"
     );
 }
 

@@ -24,7 +24,7 @@ fn parallelograms_move_as_published() {
 #[test]
 fn friction_takes_what_is_lost() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let chapter = fs::read_to_string(root.join("docs/laws-and-loads.md")).expect("it is there");
+    let chapter = fs::read_to_string(root.join("docs/loads.md")).expect("it is there");
     // compiled without optimisation, the finer ones take minutes
     let count = if cfg!(feature = "every-case") { 4 } else { 2 };
     for tolerance in example::TOLERANCES.into_iter().take(count) {

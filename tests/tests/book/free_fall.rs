@@ -10,7 +10,7 @@ mod example;
 #[test]
 fn the_drift_of_the_energy_is_up_to_date() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let chapter = fs::read_to_string(root.join("docs/laws-and-loads.md")).expect("it is there");
+    let chapter = fs::read_to_string(root.join("docs/loads.md")).expect("it is there");
     let loads = example::bars::<f64>();
     let mut before: Option<f64> = None;
     for tolerance in example::TOLERANCES {
