@@ -217,7 +217,7 @@ fn work_follows_what_is_read_and_written() {
     check_work(members(3));
 }
 
-/// `.ci/run` runs it.
+/// `.ci/run samples` runs it.
 #[test]
 #[ignore = "takes half a minute"]
 fn work_of_long_declarations_follows_too() {

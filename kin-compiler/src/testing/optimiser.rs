@@ -51,7 +51,7 @@ const EXCEPTIONS: [(Pass, &str); 4] = [
 ];
 
 /// Each pass, except the exceptions, saves at least half a per cent of the cost of the whole library. The snapshot
-/// lists the cost of each mechanism, and the additional cost without each pass. `.ci/run` runs it.
+/// lists the cost of each mechanism, and the additional cost without each pass. `.ci/run samples` runs it.
 #[test]
 #[ignore = "takes a minute"]
 fn every_pass_pays() {

@@ -1,6 +1,6 @@
 //! The number of samples that a test draws.
 
-/// All of them with the environment variable `KIN_EVERY_CASE`, which `.ci/run samples` sets, and a tenth of them without it.
+/// All of them with the environment variable `KIN_EVERY_CASE`, which `.ci/run samples` sets, and a tenth without it.
 pub(crate) fn of(every: u32) -> u32 {
     if are_all() { every } else { every.div_ceil(10) }
 }

@@ -28,7 +28,7 @@ fn fifty_declarations() {
     small_declarations(50, 1);
 }
 
-/// `.ci/run` runs it.
+/// `.ci/run samples` runs it.
 #[test]
 #[ignore = "takes a minute"]
 fn five_thousand_declarations() {
