@@ -4,7 +4,7 @@ use kin_compiler::Declaration;
 use kin_core::mechanism;
 use kin_live::sheet::SheetCode;
 
-use kin_agreement::assert_agreement;
+use kin_agreement::{assert_agreement, samples};
 
 /// Declares a mechanism by the macro and by its text, and compares both.
 macro_rules! agrees {
@@ -13,7 +13,7 @@ macro_rules! agrees {
         fn $test() {
             mechanism! { $($declaration)* }
             let [finite, ..] = assert_agreement::<$name>(stringify!($($declaration)*));
-            assert!(finite > 1000, "{finite} results are finite");
+            assert!(finite > 5 * samples(), "{finite} results are finite");
         }
     };
 }

@@ -15,7 +15,8 @@ use kin_live::{Budget, CompilerBudget};
 
 /// How many positions, possible or not, everything is compared at: a quarter of them without the environment variable
 /// `KIN_EVERY_CASE`.
-fn samples() -> usize {
+#[must_use]
+pub fn samples() -> usize {
     if std::env::var_os("KIN_EVERY_CASE").is_some() {
         200
     } else {
