@@ -15,7 +15,7 @@ const LIMITS = { short: 4000, motion: 10_000, report: 60_000 };
 const PAUSE = 40;
 
 const module = kinModule();
-/** Each kind of question has a worker, so that peaks, which take time, hold nothing up, and no question ends another. */
+/** Each kind of question has a worker: peaks, which take time, hold nothing up, and no question ends another. */
 const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
 const byButton = createAsking(startWorker, module);

@@ -981,8 +981,8 @@ fn a_rough_quantity_is_refused() {
     );
 }
 
-/// More poses make a mean of rounding errors no more precise. Across the straight line of Peaucellier's cell, its tracer
-/// does not move, and the squares of sine and cosine are 1 over the whole revolution of a crank.
+/// More poses make a mean of rounding errors no more precise. Across the straight line of Peaucellier's cell, its
+/// tracer does not move, and the squares of sine and cosine are 1 over the whole revolution of a crank.
 #[test]
 fn a_mean_of_rounding_errors_ends_soon() {
     let poses = Cell::new(0);
