@@ -497,7 +497,7 @@ mod tests {
                 ..Budget::default()
             };
             assert_eq!(Declaration::parse_within(&text, &least), Ok(whole.clone()), "{name}");
-            for part in [1, 50, 99] {
+            for part in [1, 10, 50, 90, 99] {
                 let work = whole.work() * part / 100;
                 let refusal = Declaration::parse_within(&text, &Budget { work, ..least }).expect_err(name);
                 assert_eq!(

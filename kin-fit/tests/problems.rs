@@ -97,7 +97,7 @@ fn a_search_finds_the_minimum_on_the_half_circle() {
 
 #[test]
 fn a_search_is_repeated_exactly() {
-    let effort = Effort { starts: 10, ..EFFORT };
+    let effort = Effort { starts: 40, ..EFFORT };
     assert_eq!(TIMED.search(effort), TIMED.search(effort));
 }
 

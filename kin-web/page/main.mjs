@@ -126,7 +126,10 @@ async function take(text) {
     return;
   }
   say("reading …");
-  const { imported, refused } = await byButton({ ask: "import", text }, LIMITS.report);
+  const { imported, refused, superseded } = await byButton({ ask: "import", text }, LIMITS.report);
+  if (superseded) {
+    return;
+  }
   if (refused) {
     say("");
     refuse(refused);

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::curve::{Curve, Edge, Stretch, StretchEnd};
+use super::parts::BESIDE;
 use crate::number::{GAUSS, Number};
 use crate::sweep::Local;
 
@@ -15,8 +16,6 @@ const HALVINGS: usize = 12;
 /// measured. Where they make the difference of two sums, more points bring nothing.
 const MEASURED_HALVINGS: usize = 4;
 const MEASURED_POINTS: u32 = 256;
-/// The distance from a point at which its rounding error shows, as a part of an interval.
-const BESIDE: f64 = 1.0 / 1024.0;
 /// A piece of a curve that is shorter than this part of a stretch is next to a kink.
 const SHARP: f64 = 1.0 / 1_048_576.0;
 /// The ratio of lengths above which one piece is halved more often than the other.
@@ -344,13 +343,7 @@ impl<'c> Curve<'c> {
         let mut last = f64::NAN;
         let mut add = |index: u32, points: u32| -> Result<Integral, ExtremesError> {
             let parameter = from + (to - from) * (f64::from(index) / f64::from(points));
-            let value = Number::powi(self.node(stretch, parameter, &stretch.mark)?.value.real(), power);
-            let own = Integral {
-                value,
-                size: value.abs(),
-                weight: 1.0,
-            };
-            sum = sum.plus(own, 1.0);
+            sum = sum.plus(self.integrand(stretch, parameter, Over::Time, power)?, 1.0);
             Ok(sum)
         };
         let mut total = Integral::default();
@@ -367,12 +360,8 @@ impl<'c> Curve<'c> {
                 let distance = (to - from) / f64::from(points);
                 let rounding = self.rounding_of_power(stretch, [from, to], distance, power)?;
                 if error <= rounding {
-                    return total
-                        .mean(
-                            error.max(rounding / num_traits::Float::sqrt(total.weight)) * total.weight,
-                            1.0,
-                        )
-                        .map(Some);
+                    let error = error.max(rounding / num_traits::Float::sqrt(f64::from(points)));
+                    return total.mean(error * total.weight, 1.0).map(Some);
                 }
             }
             last = mean;

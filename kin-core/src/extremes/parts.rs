@@ -25,7 +25,7 @@ const SUSPECT: usize = 8;
 const DISTANCES: [f64; 4] = [1e3, 4e3, 16e3, 64e3];
 const POLE_GROWTH: f64 = 1.3;
 /// The distance between points that differ by rounding errors alone, as a part of the piece.
-const BESIDE: f64 = 1.0 / 1024.0;
+pub(super) const BESIDE: f64 = 1.0 / 1024.0;
 /// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding
 /// errors.
 const MEASURED: [f64; 2] = [8.0, 64.0];

@@ -9,7 +9,6 @@ use kin_core::prelude::*;
 use kin_core::{Dimension, LimitKind};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::random::Random;
-use kin_tests::samples;
 
 /// The largest power of ten.
 const MOST: i32 = 60;
@@ -324,7 +323,7 @@ fn units_of_length(library: usize, coupled: usize, random: usize, powers: usize,
 
 #[test]
 fn small() {
-    units_of_length(3, 1, samples::of(400), 3, 1);
+    units_of_length(3, 1, if cfg!(feature = "every-case") { 1200 } else { 40 }, 3, 1);
 }
 
 #[test]
