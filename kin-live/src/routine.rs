@@ -5,7 +5,7 @@ use kin_core::Scalar;
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::Lengths;
-use crate::run::arithmetic;
+use crate::run::{Choice, Run, SinglePosition};
 
 /// The registers of quantities before a run.
 #[derive(Debug, Default)]
@@ -146,11 +146,15 @@ impl Routine {
         lengths.lend([parameters, inputs.motions], |memory| {
             self.given.write(memory.registers, 0, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
-            // none of its statements can fail, so it is arithmetic alone
-            for operation in &*self.code.routines[0] {
-                arithmetic(memory.registers, 0..1, &self.code.constants, *operation);
-            }
-            let registers = &*memory.registers;
+            let mut run = Run {
+                code: &self.code,
+                chunk: 0,
+                memory,
+                choice: Choice::default(),
+                way: SinglePosition,
+            };
+            run.straight_line();
+            let registers = &*run.memory.registers;
             results(&|index| registers[usize::from(self.results[index])][0])
         })
     }

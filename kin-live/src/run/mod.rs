@@ -99,6 +99,19 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         }
     }
 
+    /// Runs a routine without calls, which cannot fail.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn straight_line(&mut self) {
+        if const { T::DOUBT > 0.0 } {
+            for operation in &*self.code.routines[0] {
+                arithmetic(self.memory.registers, 0..1, &self.code.constants, *operation);
+            }
+        } else {
+            let done = self.run_alone(0);
+            debug_assert!(done.is_ok(), "only a call fails");
+        }
+    }
+
     #[inline(never)]
     fn run_alone(&mut self, index: usize) -> Result<(), Fault> {
         self.run(index, 1)
@@ -376,7 +389,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
 
 /// A step of arithmetic, in some of the chunks.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn arithmetic<T: Scalar, const C: usize>(
+fn arithmetic<T: Scalar, const C: usize>(
     registers: &mut [[T; C]],
     chunks: core::ops::Range<usize>,
     constants: &[f64],
