@@ -67,6 +67,17 @@ impl Mechanism {
 
     /// Compiles a declaration, as far as a budget allows it.
     ///
+    /// ```
+    /// use kin_live::{Budget, CompilerBudget, DeclareError, Mechanism, Resource};
+    ///
+    /// let budget = Budget { compiler: CompilerBudget { text: 4096, work: 200_000 }, paths: 64 };
+    /// let long = "a".repeat(5000);
+    /// let Err(DeclareError::TooLarge(excess)) = Mechanism::declare_within(&long, &budget) else {
+    ///     panic!("it has 5000 bytes");
+    /// };
+    /// assert_eq!((excess.resource, excess.limit), (Resource::Text, 4096));
+    /// ```
+    ///
     /// # Errors
     /// Every mistake of the declaration, in the order of the text; or the limit that the declaration exceeds.
     pub fn declare_within(text: &str, budget: &Budget) -> Result<Self, DeclareError> {

@@ -323,6 +323,59 @@ impl NamedLoads {
     /// The frame of the [`Solid`] is fixed to three joints of the body: the first two, and the first one behind them
     /// that does not lie on their line.
     ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::any::{AssemblyChoice, PositionChoice};
+    /// use kin_core::linkage::AnyLinkage;
+    /// use kin_core::load::Solid;
+    /// use kin_core::prelude::*;
+    /// use kin_core::reaction::ReactionPart;
+    ///
+    /// mechanism! {
+    ///     /// Two skew shafts, and a rod between two ball joints, in metres.
+    ///     struct Shafts { crank: Length, pivot: Point3, axis: Vector3, arm: Vector3, rod: Length }
+    ///     input theta: Angle;
+    ///     unknown phi: Angle;
+    ///     let rocker = pivot + rot(axis, phi) * arm;
+    ///     let knob = rot_z(theta) * vec3(crank, 0, 0);
+    ///     dot(rocker - knob, rocker - knob) == rod.powi(2);
+    ///     output pin: Point3 = knob;
+    ///     output ball: Point3 = rocker;
+    ///
+    ///     let up = vec3(0, 0, crank);
+    ///     ground 0, up, pivot;
+    ///     body crank: 0, up, pin;
+    ///     body rod: pin, ball;
+    ///     body rocker: pivot, ball;
+    /// }
+    ///
+    /// let shafts = Shafts {
+    ///     crank: 0.04,
+    ///     pivot: Space::new(0.12, 0.02, 0.03),
+    ///     axis: Space::new(0.0, 1.0, 0.1),
+    ///     arm: Space::new(0.016, -0.012, 0.076),
+    ///     rod: 0.13,
+    /// };
+    /// let linkage = AnyLinkage::of(&shafts);
+    /// let inertia = [[4e-4, 0.0, 0.0], [0.0, 5e-4, 0.0], [0.0, 0.0, 3e-4]];
+    /// let loads = linkage
+    ///     .loads()
+    ///     .gravity(Space::new(0.0, 0.0, -9.81))
+    ///     .solid_of("crank", Solid { mass: 0.4, centre: Space::zero(), inertia })?
+    ///     .mass_of("rod", 0.2, Plane::new(0.065, 0.0), 3e-4)?
+    ///     .torque(-2.0, "phi")?;
+    /// let reactions = linkage.reactions(&loads)?.hinge("ground_rocker", "axis")?;
+    /// let crank = Motion::at_constant_speed(1.0, rpm(500.0));
+    /// let found = reactions.at(&[crank], PositionChoice::Assembly(0))?;
+    /// println!("{:?} N", found.of("ball")?.magnitude());
+    /// let [_, y, _] = found.of("ground_crank")?.moments;
+    /// println!("{:.2} N m about y in the bearing of the crank", y[0]);
+    ///
+    /// let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[TAU], 361).speed(rpm(500.0));
+    /// println!("{} N m", turn.of_reaction(&reactions, "ground_crank", ReactionPart::Moment, 0).peak()?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`NoSuchPlace`] if no body has the name.
     pub fn solid_of(self, body: &str, solid: Solid) -> Result<Self, NoSuchPlace> {

@@ -186,7 +186,24 @@ pub trait Mechanism: Copy + Debug + 'static {
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
-    /// The position closest to values of the unknowns.
+    /// The position closest to values of the unknowns, with angles nearest to them. The method of a mechanism with the
+    /// same name takes a pose, too, such as that of the last step:
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// // a double crank: the ground is the shortest link
+    /// let linkage: FourBar = FourBar { r1: 20.0, r2: 50.0, r3: 45.0, r4: 55.0 };
+    /// let mut pose = linkage.position(0.0, Assembly::Open)?;
+    /// let start = pose.theta4.position();
+    /// for step in 1..=720 {
+    ///     pose = linkage.position_near(f64::from(step).to_radians(), pose)?;
+    /// }
+    /// // after two revolutions of the crank the rocker has made two as well
+    /// assert!((pose.theta4.position() - start - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), SolveError>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`solve`](Self::solve).
