@@ -642,3 +642,20 @@ fn names_that_are_taken() {
     let message = message("struct Empty { a: Length }\ninput b: Angle;\nunknown c: Angle;\nc == d;");
     assert!(message.contains('d'), "{message}");
 }
+
+/// Every query of the chapter on searches runs, and every number that it asks for is there.
+#[tokio::test]
+async fn queries_of_the_chapter() {
+    let chapter = include_str!("../../docs/search.md");
+    let mut count = 0;
+    for block in chapter.split("```sql\n").skip(1) {
+        let sql = block.split("```").next().unwrap();
+        let rows = ask(&new(), sql).await.unwrap_or_else(|error| panic!("{error}\n{sql}"));
+        assert!(rows.num_rows() > 0, "no rows:\n{sql}");
+        for column in rows.columns() {
+            assert_eq!(column.null_count(), 0, "{rows:?}\n{sql}");
+        }
+        count += 1;
+    }
+    assert!(count > 0, "the chapter has no queries");
+}

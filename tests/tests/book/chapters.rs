@@ -76,6 +76,60 @@ fn the_summary_lists_the_chapters() {
     assert_eq!(links, found);
 }
 
+/// The anchor that pages give to a heading: its letters, digits, hyphens and underscores in lower case, with hyphens for
+/// spaces.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter_map(|character| match character {
+        ' ' => Some('-'),
+        '-' | '_' => Some(character),
+        _ => character.is_alphanumeric().then_some(character),
+    });
+    kept.flat_map(char::to_lowercase).collect()
+}
+
+/// The text outside of fenced blocks.
+fn prose(text: &str) -> String {
+    let parts = text.split("\n```").step_by(2);
+    parts.collect::<Vec<_>>().join("\n")
+}
+
+/// Every link within the repository leads to a file that is there, and to one of its headings. A link may be broken
+/// between two lines.
+#[test]
+fn links_lead_somewhere() {
+    let mut dead = Vec::new();
+    let pages = chapters().into_iter().map(|name| format!("docs/{name}"));
+    let others = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/SUMMARY.md"];
+    for page in pages.chain(others.map(str::to_owned)) {
+        let text = prose(&read(&page));
+        let folder = Path::new(&page).parent().expect("a page lies in a folder");
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            // the gallery writes the pages of the library
+            let is_elsewhere = link.starts_with("http") || link.starts_with("pages/");
+            if is_elsewhere || link.contains(char::is_whitespace) {
+                continue;
+            }
+            let (target, wanted) = link.split_once('#').unwrap_or((link, ""));
+            let target = if target.is_empty() {
+                PathBuf::from(&page)
+            } else {
+                folder.join(target)
+            };
+            let is_there = root().join(&target).exists();
+            let has_heading = || {
+                let text = prose(&read(&target.to_string_lossy()));
+                let lines = text.lines().filter(|line| line.starts_with('#'));
+                let mut headings = lines.filter_map(|line| line.trim_start_matches('#').strip_prefix(' '));
+                wanted.is_empty() || headings.any(|heading| anchor(heading) == wanted)
+            };
+            if !is_there || !has_heading() {
+                dead.push(format!("{page}: {link}"));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "links that lead nowhere:\n{}", dead.join("\n"));
+}
+
 /// Code runs as a documentation test if its chapter is listed there, and if its block says that it is Rust. The
 /// programs in other languages are run by the tests of tapes.
 #[test]
