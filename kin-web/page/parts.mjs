@@ -1,12 +1,12 @@
-/** The parts that `build.mjs` puts into the page: kin itself, its worker, and the moving page. */
+/** The parts that the build puts into a page: kin itself, its worker, and the moving page. */
 
-/* global WORKER, VIEW */
+/* global WORKER, VIEW, KIN */
 
-/** kin as a compiled module: from the page if it holds kin, and otherwise from the file beside it. */
+/** kin as a compiled module: from the page if it holds kin, and otherwise from its file. */
 export async function kinModule() {
   const held = document.getElementById("kin");
   if (!held) {
-    const response = await fetch("kin.wasm");
+    const response = await fetch(KIN);
     return WebAssembly.compile(await response.arrayBuffer());
   }
   const packed = Uint8Array.from(atob(held.textContent.trim()), (letter) => letter.charCodeAt(0));

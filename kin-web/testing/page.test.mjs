@@ -5,8 +5,9 @@ import { fileURLToPath } from "node:url";
 
 import { chromium } from "playwright-core";
 
+import { seriousFaults, typeText as typeInto, visit } from "./visiting.mjs";
+
 const address = new URL("../site/kin.html", import.meta.url).href;
-const axe = fileURLToPath(new URL("../node_modules/axe-core/axe.min.js", import.meta.url));
 let browser;
 
 before(async () => {
@@ -16,13 +17,7 @@ after(() => browser.close());
 
 /** A page at an address, after its first motion. Requests of the network are faults. */
 async function opened(hash = "", options = {}) {
-  const context = await browser.newContext({ offline: true, acceptDownloads: true, ...options });
-  const page = await context.newPage();
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(error.message));
-  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-  page.on("request", (request) => /^https?:/.test(request.url()) && faults.push(request.url()));
-  await page.goto(address + hash);
+  const { page, faults } = await visit(browser, address + hash, { offline: true, ...options });
   await page.waitForFunction(() => document.body.dataset.moved);
   return { page, faults };
 }
@@ -33,11 +28,7 @@ async function shows(page, title) {
   await frame.locator("#title", { hasText: title }).waitFor();
 }
 
-async function typeText(page, text) {
-  await page.locator(".cm-content").click();
-  await page.keyboard.press("Control+A");
-  await page.keyboard.insertText(text);
-}
+const typeText = (page, text) => typeInto(page, page.locator("#editor"), text);
 
 const CRANK = `kin 1
 struct Crank { r: Length, rod: Length }
@@ -157,12 +148,6 @@ test("a file of another program becomes a drawing and a mechanism", async () => 
 test("axe finds no serious fault", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const { page } = await opened("", { colorScheme, bypassCSP: true });
-    await page.addScriptTag({ path: axe });
-    const found = await page.evaluate(() => globalThis.axe.run(document.body, { iframes: false }));
-    const serious = found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-    assert.deepEqual(
-      serious.map(({ id, nodes }) => [id, nodes[0].html]),
-      [],
-    );
+    assert.deepEqual(await seriousFaults(page), []);
   }
 });
