@@ -11,6 +11,7 @@ import { gzipSync } from "node:zlib";
 
 import { writeBook } from "./book/build.mjs";
 import { hashOf, here, movingPage, policy, script, style } from "./bundles.mjs";
+import { ask } from "./page/ask.mjs";
 
 const target = "wasm32-unknown-unknown";
 /** Small, for visitors. `KIN_PROFILE=quick` takes a third of the time, for tests. */
@@ -26,9 +27,17 @@ function buildKin() {
   return `${folder}/${target}/${profile}/kin_web.wasm`;
 }
 
-async function writePage(site, wasm) {
+/** What kin says of itself. The pages hold it, so that none has to ask before its mechanism moves. */
+async function knownBy(wasm) {
+  const { instance } = await WebAssembly.instantiate(readFileSync(wasm));
+  const { examples } = ask(instance.exports, { ask: "examples" });
+  const { functions } = ask(instance.exports, { ask: "functions" });
+  return { examples, functions };
+}
+
+async function writePage(site, wasm, known) {
   const view = await movingPage("../kin-studio/src/page/page.css");
-  const own = await script("page/main.mjs", view, "kin.wasm");
+  const own = await script("page/main.mjs", view, "kin.wasm", known);
   const css = await style("page/page.css");
   const page = (kin) => `<!doctype html>
 <html lang="en">
@@ -53,8 +62,9 @@ export async function buildSite(site = `${here}site/`) {
   const wasm = buildKin();
   mkdirSync(site, { recursive: true });
   copyFileSync(wasm, `${site}/kin.wasm`);
-  await writePage(site, wasm);
-  await writeBook(`${here}../docs/`, `${site}/book/`);
+  const known = await knownBy(wasm);
+  await writePage(site, wasm, known);
+  await writeBook(`${here}../docs/`, `${site}/book/`, known);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

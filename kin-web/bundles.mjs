@@ -37,11 +37,17 @@ export async function movingPage(styleEntry) {
   };
 }
 
-/** A script that asks kin, which stands in the file `kin`, and shows moving pages. */
-export async function script(entry, view, kin, format = "esm") {
+/**
+ * A script that asks kin and shows moving pages.
+ *
+ * @param {string} kin the address of kin in WebAssembly
+ * @param {object} known what kin says of itself: its examples, and the names that an expression can call
+ */
+export async function script(entry, view, kin, known, format = "esm") {
   const worker = await bundled("page/worker.mjs", {}, "iife");
-  const define = { WORKER: JSON.stringify(worker), VIEW: JSON.stringify(view), KIN: JSON.stringify(kin) };
-  return bundled(entry, define, format);
+  const parts = { WORKER: worker, VIEW: view, KIN: kin, EXAMPLES: known.examples, FUNCTIONS: known.functions };
+  const define = Object.entries(parts).map(([name, value]) => [name, JSON.stringify(value)]);
+  return bundled(entry, Object.fromEntries(define), format);
 }
 
 export const hashOf = (content) => `'sha256-${createHash("sha256").update(content).digest("base64")}'`;

@@ -2,7 +2,6 @@
 import { button, made, setText } from "../../kin-studio/src/page/elements.mjs";
 import { addressOf } from "../page/address.mjs";
 import { createMovingText } from "../page/moving-text.mjs";
-import { view } from "../page/parts.mjs";
 
 /** The page for a text: the one that needs no server, where there is none. */
 const PAGE = location.protocol === "file:" ? "../kin.html" : "../index.html";
@@ -10,9 +9,8 @@ const PAGE = location.protocol === "file:" ? "../kin.html" : "../index.html";
 /**
  * @param {HTMLElement} figure the block as it stands without scripts
  * @param {(question: object, limit: number) => Promise<any>} ask
- * @param {() => string[]} functionsNow the names that an expression can call
  */
-export function createBlock(figure, ask, functionsNow) {
+export function createBlock(figure, ask) {
   const still = figure.querySelector("pre");
   const link = figure.querySelector("figcaption a");
   const given = still.textContent;
@@ -24,7 +22,7 @@ export function createBlock(figure, ask, functionsNow) {
   const state = made("span", { className: "state", role: "status" });
   const reset = button("As in the book", { hidden: true }, () => moving.set(given));
 
-  const moving = createMovingText(places, ask, view, functionsNow, {
+  const moving = createMovingText(places, ask, {
     async typed(text) {
       reset.hidden = text === given;
       const address = await addressOf(text);

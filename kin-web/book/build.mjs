@@ -32,8 +32,9 @@ ${body}</body>
 /**
  * @param {string} docs the folder of the markdown
  * @param {string} folder where the pages go
+ * @param {object} known what kin says of itself
  */
-export async function writeBook(docs, folder) {
+export async function writeBook(docs, folder, known) {
   const parts = partsOf(readFileSync(`${docs}SUMMARY.md`, "utf8"));
   const chapters = parts.flatMap((part) => part.chapters);
   const links = createLinks(docs);
@@ -51,7 +52,7 @@ export async function writeBook(docs, folder) {
     copyFileSync(docs + file, folder + file);
   }
   const view = await movingPage("book/view.css");
-  writeFileSync(`${folder}living.js`, await script("book/living.mjs", view, "../kin.wasm", "iife"));
+  writeFileSync(`${folder}living.js`, await script("book/living.mjs", view, "../kin.wasm", known, "iife"));
   writeFileSync(`${folder}book.css`, await style("book/book.css"));
   const moving = policy(`'self' ${hashOf(view.script)}`, " 'self'");
   chapters.forEach(({ title, file }, index) => {

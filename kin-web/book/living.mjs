@@ -6,19 +6,12 @@ import { createTurns } from "./turns.mjs";
 
 /** How far below the window a block begins. */
 const NEAR = "300px";
-/** The time in milliseconds that the list of functions may take. */
-const LIMIT = 10_000;
 
 let turn = null;
-let functions = [];
 
 function begin(figure) {
-  const isFirst = turn === null;
   turn ??= createTurns(createAsking(startWorker, kinModule()));
-  createBlock(figure, turn(), () => functions);
-  if (isFirst) {
-    turn()({ ask: "functions" }, LIMIT).then((answer) => (functions = answer.functions ?? []));
-  }
+  createBlock(figure, turn());
 }
 
 const observer = new IntersectionObserver(

@@ -5,10 +5,10 @@ import { addressOf, readAddress } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
 import { createBoard } from "./board.mjs";
 import { createMovingText } from "./moving-text.mjs";
-import { kinModule, startWorker, view } from "./parts.mjs";
+import { examples, kinModule, startWorker } from "./parts.mjs";
 
 /** The times in milliseconds that answers may take. */
-const LIMITS = { short: 4000, list: 10_000, report: 60_000 };
+const LIMITS = { short: 4000, report: 60_000 };
 
 const module = kinModule();
 /** Each kind of question has a worker: peaks, which take time, hold nothing up, and no question ends another. */
@@ -16,13 +16,11 @@ const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
 const byButton = createAsking(startWorker, module);
 const board = createBoard(createAsking(startWorker, module), (text) => moving.set(text));
-let examples = [];
-let functions = [];
 /** The name of the mechanism that moves, in small letters, for files. */
 let fileName = "mechanism";
 
 const places = { editor: part("editor"), mistakes: part("mistakes"), moving: part("moving") };
-const moving = createMovingText(places, quick, view, () => functions, { typed, understood, moved, say });
+const moving = createMovingText(places, quick, { typed, understood, moved, say });
 
 function typed(text) {
   const chosen = part("examples").value;
@@ -121,11 +119,7 @@ async function format() {
 }
 
 async function begin() {
-  const asked = quick({ ask: "examples" }, LIMITS.list);
   const { text: fromAddress, drawing } = await readAddress(location.hash);
-  const askedFunctions = slow({ ask: "functions" }, LIMITS.list);
-  examples = (await asked).examples ?? [];
-  functions = (await askedFunctions).functions ?? [];
   const choices = examples.map(({ name }) => new Option(name.replace(/(?!^)(?=[A-Z])/g, " "), name));
   part("examples").append(new Option("of one's own", ""), ...choices);
   part("examples").value = fromAddress === null ? "FourBar" : "";

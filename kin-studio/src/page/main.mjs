@@ -1057,7 +1057,12 @@ export function start(report, solver, kept = null) {
 
   setUp();
   listen();
-  showPeaks();
+  if (givenPeaks(model).length > 0) {
+    showPeaks();
+  } else {
+    // the page's own peaks take longer than the first picture
+    later();
+  }
   if (sweep.spans.length === 0) {
     unsolved = true;
   } else if (kept !== null) {
