@@ -3,9 +3,6 @@ import { button, made, setText } from "../../kin-studio/src/page/elements.mjs";
 import { addressOf } from "../page/address.mjs";
 import { createMovingText } from "../page/moving-text.mjs";
 
-/** The page for a text: the one that needs no server, where there is none. */
-const PAGE = location.protocol === "file:" ? "../kin.html" : "../index.html";
-
 /**
  * @param {HTMLElement} figure the block as it stands without scripts
  * @param {(question: object, limit: number) => Promise<any>} ask
@@ -27,7 +24,7 @@ export function createBlock(figure, ask) {
       reset.hidden = text === given;
       const address = await addressOf(text);
       if (text === moving.text()) {
-        link.href = `${PAGE}#${address}`;
+        link.hash = address;
       }
     },
     understood() {},

@@ -97,14 +97,28 @@ test("the page opens with the text of a block, and says the same numbers", async
   assert.deepEqual(faults, []);
 });
 
-test("without scripts the texts and the links of blocks are there", async () => {
+test("without scripts, and without a server, the texts and the links of blocks are there", async () => {
   const { page } = await opened("book/forces.html", { javaScriptEnabled: false });
   assert.match(await page.locator(".living pre").first().innerText(), /^kin 1\n/);
   assert.equal(await page.locator(".moving").first().isVisible(), false);
   const still = await page.locator(".living figcaption a").first().getAttribute("href");
-  const { page: full } = await opened(`book/${still}`);
-  await full.waitForFunction(() => document.body.dataset.moved);
-  assert.match(await full.locator(".cm-content").innerText(), /struct CrankPress/);
+  const { page: file, faults } = await visit(browser, new URL("../site/book/forces.html", import.meta.url).href);
+  for (const [whole, link] of [
+    [page, `${site.address}book/${still}`],
+    [
+      file,
+      await file
+        .locator(".living figcaption a")
+        .first()
+        .evaluate(({ href }) => href),
+    ],
+  ]) {
+    assert.equal(await whole.locator(".living pre").count(), 2);
+    const { page: full } = await visit(browser, link, {}, isOwn);
+    await full.waitForFunction(() => document.body.dataset.moved);
+    assert.match(await full.locator(".cm-content").innerText(), /struct CrankPress/);
+  }
+  assert.deepEqual(faults, []);
 });
 
 test("axe finds no serious fault by day, by night and on a phone, and no page is wider than it", async () => {
