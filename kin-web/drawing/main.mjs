@@ -5,6 +5,7 @@ import { createBar } from "./bar.mjs";
 import { createFaultList, faultyParts } from "./faults.mjs";
 import { handlePointers } from "./gestures.mjs";
 import { handleKeys } from "./keys.mjs";
+import { createLengthField } from "./length-field.mjs";
 import { changed as afterChange, moveLink, movePoint, removeLink, removePoint } from "./model/edits.mjs";
 import { gridStep, snap } from "./model/grid.mjs";
 import { createHistory } from "./model/history.mjs";
@@ -248,6 +249,7 @@ export function createDrawing(svg, tools, { declare, changed }) {
   tools.classList.add("drawing-tools");
   tools.replaceChildren(bar.element, panel.element, hint, list.element);
   handlePointers(svg, desk);
+  desk.typeLength = createLengthField(svg, desk);
   handleKeys(svg, tools, desk);
   new ResizeObserver(() => render()).observe(svg);
   render();

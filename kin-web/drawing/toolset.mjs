@@ -53,7 +53,7 @@ const select = {
   id: "select",
   key: "v",
   label: "Select",
-  hint: "Click a pin or a link to see its values; drag it to move it. Alt leaves the grid.",
+  hint: "Click a pin or a link to see its values, or drag it. Digits give a link its length. Alt leaves the grid.",
   press(desk, place) {
     const part = desk.pick(place);
     desk.select(part);

@@ -179,6 +179,44 @@ test("a four-bar linkage by keyboard alone", () =>
     assert.equal(await page.evaluate(() => document.activeElement.id), "drawing");
   }));
 
+test("a length is typed at its link", () =>
+  desk.withDrawing(async (page) => {
+    await drawFourBar(page);
+    const lengthOf = async (from, to) => {
+      const { points } = await sketchOf(page);
+      return Math.hypot(points[to].x - points[from].x, points[to].y - points[from].y);
+    };
+    // a digit on the selected link begins its length
+    await page.mouse.click(...(await screen(page, [-3, 0.5])));
+    await page.keyboard.type("4,6");
+    const field = page.locator(".at-link");
+    assert.equal(await field.getAttribute("aria-label"), "Length b–c");
+    const [box, link] = [await field.boundingBox(), await partAt(page, "link", 1)];
+    near(box.x + box.width / 2, link[0], 2);
+    near(box.y + box.height / 2, link[1], 2);
+    await page.keyboard.press("Enter");
+    near(await lengthOf(1, 2), 4.6, 1e-9);
+    assert.equal(await field.isVisible(), false);
+    // a double click opens it with the length that it has; Escape and what is no length leave it
+    const [x, y] = await partAt(page, "link", 0);
+    for (const [text, end] of [
+      ["3", "Escape"],
+      ["-3", "Enter"],
+      ["", "Enter"],
+    ]) {
+      await page.mouse.dblclick(x, y);
+      assert.equal(await field.inputValue(), "2");
+      await field.fill(text);
+      await page.keyboard.press(end);
+      near(await lengthOf(0, 1), 2, 1e-9);
+    }
+    await page.mouse.dblclick(x, y);
+    await page.keyboard.type("2.5");
+    await page.mouse.click(...(await screen(page, [5, 3])));
+    near(await lengthOf(0, 1), 2.5, 1e-9);
+    assert.equal(await field.isVisible(), false);
+  }));
+
 test("a length is typed, and the others stay", () =>
   desk.withDrawing(async (page) => {
     await drawFourBar(page);
