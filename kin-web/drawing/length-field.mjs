@@ -6,7 +6,7 @@ import { fromSegment } from "./model/picking.mjs";
 import { at } from "./model/sketch.mjs";
 import { isLength, numberIn, typed } from "./typing.mjs";
 
-/** @returns {(link: number, first: string) => boolean} opens the field of a link with the first letter that was typed */
+/** @returns {(link: number, first: string) => boolean} opens the field of a link with the first letter that is typed */
 export function createLengthField(svg, desk) {
   const input = made("input", {
     type: "text",

@@ -50,6 +50,13 @@ pub(crate) struct Entry {
     pub(crate) value: Part,
 }
 
+impl Entry {
+    /// Whether its first word is this.
+    pub(crate) fn begins_with(&self, word: &str) -> bool {
+        self.words.first().is_some_and(|first| first.text == word)
+    }
+}
+
 impl Part {
     /// A part without the blanks around it.
     pub(crate) fn new(text: &str, range: Range<usize>) -> Self {
@@ -299,7 +306,10 @@ fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> 
     if value.text.is_empty() {
         return Err(Mistake::new(format!("`{}` has no value", head.text), whole));
     }
-    let words = part[..equals].iter().map(|token| Part::new(text, range_of(token))).collect();
+    let words = part[..equals]
+        .iter()
+        .map(|token| Part::new(text, range_of(token)))
+        .collect();
     Ok(Entry { head, words, value })
 }
 

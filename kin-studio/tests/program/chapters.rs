@@ -41,6 +41,9 @@ fn every_file_of_the_book_moves() {
 #[test]
 fn every_file_of_the_book_is_marked() {
     for (chapter, text) in blocks("```text") {
-        assert!(!text.starts_with("kin 1\n"), "{chapter} has a file in a block of text:\n{text}");
+        assert!(
+            !text.starts_with("kin 1\n"),
+            "{chapter} has a file in a block of text:\n{text}"
+        );
     }
 }

@@ -18,12 +18,12 @@ const KINDS: [&str; 4] = ["friction", "hinge", "gears", "rack"];
 
 /// Whether an entry states something of a joint.
 pub(super) fn is_of_joint(entry: &Entry) -> bool {
-    entry.words.first().is_some_and(|word| KINDS.contains(&word.text.as_str()))
+    KINDS.iter().any(|kind| entry.begins_with(kind))
 }
 
 /// Whether an entry states friction.
 pub(super) fn is_friction(entry: &Entry) -> bool {
-    entry.words.first().is_some_and(|word| word.text == "friction")
+    entry.begins_with("friction")
 }
 
 /// How friction is written.
@@ -144,7 +144,7 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// `gears mesh = crank at (0, 0) radius 40mm, wheel at pivot radius 50mm, pressure angle 20deg`, or a `rack`.
     pub(super) fn contact(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let is_rack = entry.words.first().is_some_and(|word| word.text == "rack");
+        let is_rack = entry.begins_with("rack");
         let form = if is_rack { RACK } else { GEARS };
         let [_, word] = entry.words.as_slice() else {
             return Err(entry.head.mistake(form));

@@ -94,10 +94,8 @@ const TENSOR: &str = "a body of space has its centre in its frame, and three mom
 
 /// Whether a mass is that of a body which there is not.
 pub(super) fn lack_a_body(entries: &[Entry], bodies: &[String]) -> bool {
-    let is_one = |entry: &Entry| {
-        entry.words.first().is_some_and(|word| word.text == "mass")
-            && behind_of(entry).is_some_and(|body| !bodies.contains(&body.text))
-    };
+    let is_one =
+        |entry: &Entry| entry.begins_with("mass") && behind_of(entry).is_some_and(|body| !bodies.contains(&body.text));
     entries.iter().any(is_one)
 }
 
