@@ -16,6 +16,7 @@ import { at, completed, emptySketch } from "./model/sketch.mjs";
 import { mistakeIn } from "./model/validity.mjs";
 import { createPanel } from "./panel.mjs";
 import { createPicture, describe } from "./picture.mjs";
+import { handleAt, handlesOf } from "./slide-handle.mjs";
 import { toolset } from "./toolset.mjs";
 
 export { examples } from "./examples.mjs";
@@ -87,7 +88,9 @@ export function createDrawing(svg, tools, { declare, changed }) {
     toDrawing,
     nearGrid,
     snapped: (place, isFree) => nearGrid(toDrawing(place), isFree),
+    placeOf: (point) => places()[point],
     pick: (place) => pick(sketch(), places(), place, { radius }),
+    pickHandle: (place) => handleAt(handlesOf(sketch(), places(), selection), place, radius),
     pickPoint: (place, except = []) => pickPoint(places(), place, { radius, except }),
     pickOtherLink(place, point) {
       const except = [...sketch().links.keys()].filter((link) => sketch().links[link].points.includes(point));

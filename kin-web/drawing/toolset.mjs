@@ -13,6 +13,7 @@ import {
 } from "./model/edits.mjs";
 import { snapDirection } from "./model/grid.mjs";
 import { at, nameOf, slidesAt } from "./model/sketch.mjs";
+import { turning } from "./slide-handle.mjs";
 
 /**
  * @typedef {object} Gesture
@@ -55,6 +56,10 @@ const select = {
   label: "Select",
   hint: "Click a pin or a link to see its values, or drag it. Digits give a link its length. Alt leaves the grid.",
   press(desk, place) {
+    const handle = desk.pickHandle(place);
+    if (handle !== null) {
+      return turning(desk, handle);
+    }
     const part = desk.pick(place);
     desk.select(part);
     if (part === null) {

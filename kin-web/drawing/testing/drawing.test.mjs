@@ -295,6 +295,37 @@ test("a slider-crank whose block holds the rod's ram", () =>
     assert.deepEqual((await sketchOf(page)).slides, []);
   }));
 
+test("the line of a slide is turned by its handle", () =>
+  desk.withDrawing(async (page) => {
+    await choose(page, "link");
+    await drag(page, [-3, 0], [1, 0]);
+    await choose(page, "slider");
+    await clickAt(page, [1, 0]);
+    await choose(page, "select");
+    const direction = async () => (await sketchOf(page)).slides[0].direction;
+    assert.equal(await direction(), 0);
+    const handle = page.locator(".slide-handle");
+    assert.equal(await handle.count(), 1);
+    const middle = async () => {
+      const { x, y, width, height } = await handle.boundingBox();
+      return [x + width / 2, y + height / 2];
+    };
+    // to a round angle, and with Alt to any
+    const [x, y] = await screen(page, [1, 0]);
+    await dragBetween(page, await middle(), [x + 2, y - 60]);
+    near(await direction(), Math.PI / 2, 1e-12);
+    near((await middle())[0], x, 1);
+    await page.keyboard.down("Alt");
+    await dragBetween(page, await middle(), [x + 50, y - 20]);
+    await page.keyboard.up("Alt");
+    near(await direction(), Math.atan2(20, 50), 0.02);
+    // one step back, and without the selection the line has no handle
+    await page.keyboard.press("Control+z");
+    near(await direction(), Math.PI / 2, 1e-12);
+    await clickAt(page, [-4, -2]);
+    assert.equal(await handle.isVisible(), false);
+  }));
+
 test("an inverted slider: the pin of the crank slides along a link", () =>
   desk.withDrawing(async (page) => {
     await choose(page, "link");
