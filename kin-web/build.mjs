@@ -17,6 +17,9 @@ const target = "wasm32-unknown-unknown";
 /** Small, for visitors. `KIN_PROFILE=quick` takes a third of the time, for tests. */
 const profile = process.env.KIN_PROFILE ?? "web";
 
+/** kin comes while the page is read, and not after its script. */
+const PRELOAD = '<link rel="preload" href="kin.wasm" as="fetch" type="application/wasm" crossorigin>\n';
+
 /** The path of kin in WebAssembly, which is built. */
 function buildKin() {
   execFileSync("cargo", ["build", "-p", "kin-web", "--profile", profile, "--target", target], {
@@ -46,7 +49,7 @@ async function writePage(site, wasm, known) {
 <meta http-equiv="Content-Security-Policy" content="${policy(`${hashOf(own)} ${hashOf(view.script)}`)}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>kin: type an equation, see it move</title>
-<style>${css}</style>
+${kin === "" ? PRELOAD : ""}<style>${css}</style>
 </head>
 <body>
 ${readFileSync(`${here}page/page.html`, "utf8")}${kin}<script type="module">${own}</script>

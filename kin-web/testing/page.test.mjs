@@ -65,7 +65,7 @@ test("a mistake is underlined and listed, and the mended text moves", async () =
   assert.deepEqual(faults, []);
 });
 
-/** Far above what a machine without other work takes, a tenth of a second, and far below what a person waits for. */
+/** Far above what a machine without other work takes, and far below what a person waits for, in milliseconds. */
 const SLOWEST = 3000;
 
 test("a letter changes the motion within a moment, also where a processor is slow", async (context) => {
