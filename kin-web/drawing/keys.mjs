@@ -1,4 +1,4 @@
-/** The keyboard: tools by their letters, arrows that move, Enter that acts as a click. */
+/** The keyboard: tools by their letters, arrows that move, digits that are a length, Enter that acts as a click. */
 import { toolset } from "./toolset.mjs";
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -73,6 +73,10 @@ function act(event, svg, desk) {
   if (ARROWS[key]) {
     desk.arrow(part, ARROWS[key], event.shiftKey || event.altKey);
     return true;
+  }
+  if (/^[\d.,]$/.test(key)) {
+    const chosen = part ?? desk.selection();
+    return chosen?.kind === "link" && desk.typeLength(chosen.index, key);
   }
   if (key === "Enter" || key === " ") {
     desk.click(part);

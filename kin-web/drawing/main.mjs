@@ -5,6 +5,7 @@ import { createBar } from "./bar.mjs";
 import { createFaultList, faultyParts } from "./faults.mjs";
 import { handlePointers } from "./gestures.mjs";
 import { handleKeys } from "./keys.mjs";
+import { createLengthField } from "./length-field.mjs";
 import { changed as afterChange, moveLink, movePoint, removeLink, removePoint } from "./model/edits.mjs";
 import { gridStep, snap } from "./model/grid.mjs";
 import { createHistory } from "./model/history.mjs";
@@ -15,6 +16,7 @@ import { at, completed, emptySketch } from "./model/sketch.mjs";
 import { mistakeIn } from "./model/validity.mjs";
 import { createPanel } from "./panel.mjs";
 import { createPicture, describe } from "./picture.mjs";
+import { handleAt, handlesOf } from "./slide-handle.mjs";
 import { toolset } from "./toolset.mjs";
 
 export { examples } from "./examples.mjs";
@@ -86,7 +88,9 @@ export function createDrawing(svg, tools, { declare, changed }) {
     toDrawing,
     nearGrid,
     snapped: (place, isFree) => nearGrid(toDrawing(place), isFree),
+    placeOf: (point) => places()[point],
     pick: (place) => pick(sketch(), places(), place, { radius }),
+    pickHandle: (place) => handleAt(handlesOf(sketch(), places(), selection), place, radius),
     pickPoint: (place, except = []) => pickPoint(places(), place, { radius, except }),
     pickOtherLink(place, point) {
       const except = [...sketch().links.keys()].filter((link) => sketch().links[link].points.includes(point));
@@ -248,6 +252,7 @@ export function createDrawing(svg, tools, { declare, changed }) {
   tools.classList.add("drawing-tools");
   tools.replaceChildren(bar.element, panel.element, hint, list.element);
   handlePointers(svg, desk);
+  desk.typeLength = createLengthField(svg, desk);
   handleKeys(svg, tools, desk);
   new ResizeObserver(() => render()).observe(svg);
   render();

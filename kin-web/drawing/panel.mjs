@@ -3,11 +3,7 @@ import { button, choice, made, tick } from "../../kin-studio/src/page/elements.m
 import { driveLink, driveSlide, fix, movePoint, removeSlide, takeFromLink } from "./model/edits.mjs";
 import { lengthOf, sidesOf } from "./model/lengths.mjs";
 import { drivenFrom, isDriven, linksAt, nameOf, numberOf, slidesAt } from "./model/sketch.mjs";
-
-/** A number as a person would type it. */
-function typed(value) {
-  return String(Number(value.toPrecision(7)));
-}
+import { isLength, numberIn, typed } from "./typing.mjs";
 
 /** A field with its label. The identity tells it from the others when the panel is made anew. */
 function labelled(id, words, control) {
@@ -32,8 +28,8 @@ function numberField(id, words, value, action, isAllowed = Number.isFinite) {
     className: "number",
   });
   input.addEventListener("change", () => {
-    const number = Number(input.value.replace(",", ".").replace("−", "-"));
-    if (input.value.trim() !== "" && isAllowed(number)) {
+    const number = numberIn(input.value);
+    if (isAllowed(number)) {
       action(number);
     } else {
       input.value = shown;
@@ -142,7 +138,7 @@ function ofLink(desk, sketch, link) {
       points.length > 2 ? `Length ${letters(from, to)}` : "Length",
       lengthOf(sketch, from, to),
       (length) => desk.setLength(link, from, to, length),
-      (length) => Number.isFinite(length) && length > 0,
+      isLength,
     ),
   );
   const base = drivenFrom(sketch, link);

@@ -16,10 +16,21 @@ import { pool } from "../../kin-studio/src/page/pool.mjs";
 import { lengthOf, sidesOf } from "./model/lengths.mjs";
 import { drivenFrom, isDriven, linksAt, numberOf, pivotOf, slidesAt } from "./model/sketch.mjs";
 import { createHits } from "./hits.mjs";
+import { handlesOf, REACH } from "./slide-handle.mjs";
 
-const LAYERS = ["grid", "rails", "ground", "marks", "bars", "blocks", "pins", "drives", "names", "loose-end"];
-/** Half the length of a drawn line of a slide, in pixels. */
-const RAIL = 46;
+const LAYERS = [
+  "grid",
+  "rails",
+  "ground",
+  "marks",
+  "bars",
+  "blocks",
+  "pins",
+  "drives",
+  "handles",
+  "names",
+  "loose-end",
+];
 const COLOURS = 6;
 
 /**
@@ -57,6 +68,7 @@ export function createPicture(svg) {
       scene.sketch.slides.forEach((_, slide) => block(layers.blocks, scene, slide, room));
       scene.sketch.points.forEach((_, point) => pin(layers.pins, scene, point, room));
       drives(layers.drives, scene, room);
+      handles(layers.handles, scene, room);
       names(layers.names, scene, room);
       looseEnd(layers["loose-end"], scene);
       for (const name of LAYERS) {
@@ -102,7 +114,7 @@ function rail({ ground, rails }, scene, slide, room) {
   if (on === "ground") {
     const below = belowOf(along);
     const shift = below.map((value) => value * (BLOCK[1] + 1));
-    const ends = [moved(-RAIL, shift), moved(RAIL, shift)];
+    const ends = [moved(-REACH, shift), moved(REACH, shift)];
     ground.add("path", { d: line(ends), class: "ground-line" });
     ground.add("path", { d: hatch(ends[0], ends[1], below), class: "hatch" });
     keepLines(room, ends, 6);
@@ -114,7 +126,7 @@ function rail({ ground, rails }, scene, slide, room) {
   }
   const [fromX, fromY] = scene.places[origin];
   const start = (fromX - x) * along[0] + (fromY - y) * along[1];
-  const ends = [Math.min(start, -RAIL), Math.max(start, RAIL)].map((length) => moved(length));
+  const ends = [Math.min(start, -REACH), Math.max(start, REACH)].map((length) => moved(length));
   rails.add("path", { d: line([[fromX, fromY], moved(start)]), class: "rod" });
   rails.add("path", { d: line(ends), class: "rod" });
   keepLines(room, ends, 3);
@@ -172,6 +184,14 @@ function block(layer, scene, slide, room) {
   const colour = guided === null ? "" : ` of-link ${colourOf(scene.sketch, guided)}`;
   layer.add("path", { d: blockOf(scene.places[point], directionOf(scene, slide)), class: `block${colour}` });
   keepSquare(room, scene.places[point], 13);
+}
+
+/** What turns the lines of the slides of a selected pin. */
+function handles(layer, { sketch, places, selection }, room) {
+  for (const { place } of handlesOf(sketch, places, selection)) {
+    layer.add("circle", { cx: tenth(place[0]), cy: tenth(place[1]), r: 6, class: "slide-handle" });
+    keepSquare(room, place, 8);
+  }
 }
 
 /** A bore of a link; a joint of several bodies has a pin in it. A ram that is one with its block has none. */

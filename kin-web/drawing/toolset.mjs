@@ -13,6 +13,7 @@ import {
 } from "./model/edits.mjs";
 import { snapDirection } from "./model/grid.mjs";
 import { at, nameOf, slidesAt } from "./model/sketch.mjs";
+import { turning } from "./slide-handle.mjs";
 
 /**
  * @typedef {object} Gesture
@@ -53,8 +54,12 @@ const select = {
   id: "select",
   key: "v",
   label: "Select",
-  hint: "Click a pin or a link to see its values; drag it to move it. Alt leaves the grid.",
+  hint: "Click a pin or a link to see its values, or drag it. Digits give a link its length. Alt leaves the grid.",
   press(desk, place) {
+    const handle = desk.pickHandle(place);
+    if (handle !== null) {
+      return turning(desk, handle);
+    }
     const part = desk.pick(place);
     desk.select(part);
     if (part === null) {

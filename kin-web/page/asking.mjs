@@ -1,6 +1,7 @@
 /** Questions to kin, which runs in a worker with a limit of time, so that no declaration stops the page. */
 
 const TOO_LONG = "This takes longer than the page waits.";
+const ABSENT = "kin cannot be loaded here. The page `kin.html`, which is one file, holds it.";
 const BROKEN = "kin stopped at this text. That is a defect of kin: the text is worth a report.";
 
 /**
@@ -14,9 +15,16 @@ export function createAsking(start, module) {
   let last = 0;
 
   async function begin() {
-    worker = start();
-    worker.postMessage({ module: await module });
-    return worker;
+    const begun = start();
+    worker = begun;
+    try {
+      begun.postMessage({ module: await module });
+    } catch {
+      if (begun === worker) {
+        stop({ refused: ABSENT });
+      }
+    }
+    return begun;
   }
 
   function end(answer) {

@@ -11,9 +11,8 @@ import { completionsFrom, kin } from "./language.mjs";
 /**
  * @param {(text: string) => void} changed what happens after each change of the text
  * @param {() => object | null} outlineNow the outline of the last text without mistakes
- * @param {() => string[]} functionsNow the names that an expression can call
  */
-export function createEditor(parent, changed, outlineNow, functionsNow) {
+export function createEditor(parent, changed, outlineNow) {
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -25,7 +24,7 @@ export function createEditor(parent, changed, outlineNow, functionsNow) {
         bracketMatching(),
         indentUnit.of("    "),
         kin,
-        autocompletion({ override: [completionsFrom(outlineNow, functionsNow)] }),
+        autocompletion({ override: [completionsFrom(outlineNow)] }),
         lintGutter(),
         keymap.of([indentWithTab, ...completionKeymap, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
         EditorView.lineWrapping,

@@ -1,4 +1,7 @@
-/** The moving page in a frame. A new report gets a new frame, which comes to the front once it moves. */
+/**
+ * The moving page in a frame. A new report gets a new frame, which comes to the front once it moves. A spare frame
+ * stands ready, because its script takes longer to begin than to show a report.
+ */
 
 /**
  * @param {HTMLElement} parent
@@ -8,6 +11,20 @@
 export function createFrames(parent, view, moved) {
   let front = null;
   let back = null;
+  let spare = null;
+
+  function made() {
+    const element = document.createElement("iframe");
+    element.title = "A mechanism, moving";
+    element.className = "behind";
+    element.srcdoc =
+      `<!doctype html><html lang="en"><head><meta charset="utf-8">` +
+      `<meta name="viewport" content="width=device-width, initial-scale=1"><title>kin</title>` +
+      `<style>${view.style}</style></head><body>${view.markup}` +
+      `<script type="module">${view.script}</script></body></html>`;
+    parent.append(element);
+    return { element, isReady: false, report: null, kept: null, shown: null };
+  }
 
   function keptBy(frame) {
     return new Promise((resolve) => {
@@ -20,19 +37,30 @@ export function createFrames(parent, view, moved) {
     });
   }
 
-  addEventListener("message", async ({ source, data }) => {
-    const frame = [front, back].find((one) => one?.element.contentWindow === source);
+  /** Hands a frame its report, with the view of the one in front of it. */
+  async function begin(frame) {
+    const { report } = frame;
+    // a mechanism of another name is looked at anew
+    const kept = front?.report.name === report.name ? await keptBy(front) : null;
+    frame.element.contentWindow?.postMessage({ report, kept }, "*");
+  }
+
+  addEventListener("message", ({ source, data }) => {
+    const frame = [front, back, spare].find((one) => one?.element.contentWindow === source);
     if (!frame) {
       return;
     }
     if (data.ready) {
-      const kept = front?.key === frame.key ? await keptBy(front) : null;
-      source.postMessage({ report: frame.report, kept }, "*");
+      frame.isReady = true;
+      if (frame === back) {
+        begin(frame);
+      }
     } else if (data.shown && frame === back) {
       front?.element.remove();
       front = back;
       back = null;
       front.element.classList.remove("behind");
+      front.shown(true);
     } else if (data.kept) {
       frame.kept?.(data.kept);
     } else if (data.design && frame === front) {
@@ -41,19 +69,24 @@ export function createFrames(parent, view, moved) {
   });
 
   return {
+    /** Makes a spare frame, if there is none. */
+    prepare() {
+      spare ??= made();
+    },
+
+    /** Shows a report. @returns {Promise<boolean>} whether it was shown, and not another one in its place */
     show(report) {
       back?.element.remove();
-      const element = document.createElement("iframe");
-      element.title = `${report.title}, moving`;
-      element.className = "behind";
-      element.srcdoc =
-        `<!doctype html><html lang="en"><head><meta charset="utf-8">` +
-        `<meta name="viewport" content="width=device-width, initial-scale=1"><title>kin</title>` +
-        `<style>${view.style}</style></head><body>${view.markup}` +
-        `<script type="module">${view.script}</script></body></html>`;
-      // a mechanism of another name is looked at anew
-      back = { element, report, key: report.name, kept: null };
-      parent.append(element);
+      back?.shown(false);
+      back = spare ?? made();
+      spare = null;
+      back.report = report;
+      back.element.title = `${report.title}, moving`;
+      const shown = new Promise((resolve) => (back.shown = resolve));
+      if (back.isReady) {
+        begin(back);
+      }
+      return shown;
     },
   };
 }

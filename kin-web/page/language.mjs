@@ -2,6 +2,8 @@
 import { HighlightStyle, LanguageSupport, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
 
+import { functions } from "./parts.mjs";
+
 const KEYWORDS = [
   "kin",
   "struct",
@@ -58,10 +60,11 @@ const style = HighlightStyle.define([
 export const kin = new LanguageSupport(StreamLanguage.define(parser), syntaxHighlighting(style));
 
 /** Completions: the words of the language, its functions, and the names of the last text without mistakes. */
-export function completionsFrom(outlineNow, functionsNow) {
+export function completionsFrom(outlineNow) {
   const words = [
     ...KEYWORDS.map((label) => ({ label, type: "keyword" })),
     ...TYPES.map((label) => ({ label, type: "type" })),
+    ...functions.map((label) => ({ label, type: "function" })),
   ];
   return (context) => {
     const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_]*/u);
@@ -71,7 +74,6 @@ export function completionsFrom(outlineNow, functionsNow) {
     const outline = outlineNow();
     const quantities = ["dimensions", "inputs", "unknowns", "outputs"].flatMap((kind) => outline?.[kind] ?? []);
     const names = quantities.map(({ name, documentation }) => ({ label: name, type: "variable", info: documentation }));
-    const functions = functionsNow().map((label) => ({ label, type: "function" }));
-    return { from: word?.from ?? context.pos, options: [...names, ...words, ...functions] };
+    return { from: word?.from ?? context.pos, options: [...names, ...words] };
   };
 }

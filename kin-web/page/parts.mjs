@@ -1,17 +1,20 @@
-/** The parts that `build.mjs` puts into the page: kin itself, its worker, and the moving page. */
+/** The parts that the build puts into a page: kin itself, its worker, and the moving page. */
 
-/* global WORKER, VIEW */
+/* global WORKER, VIEW, KIN, EXAMPLES, FUNCTIONS */
 
-/** kin as a compiled module: from the page if it holds kin, and otherwise from the file beside it. */
+/** kin as a compiled module: from the page if it holds kin, and otherwise from its file. */
 export async function kinModule() {
   const held = document.getElementById("kin");
   if (!held) {
-    const response = await fetch("kin.wasm");
-    return WebAssembly.compile(await response.arrayBuffer());
+    return WebAssembly.compileStreaming(fetch(KIN));
   }
-  const packed = Uint8Array.from(atob(held.textContent.trim()), (letter) => letter.charCodeAt(0));
+  const letters = atob(held.textContent.trim());
+  const packed = new Uint8Array(letters.length);
+  for (let index = 0; index < letters.length; index += 1) {
+    packed[index] = letters.charCodeAt(index);
+  }
   const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "content-type": "application/wasm" } }));
 }
 
 export function startWorker() {
@@ -22,3 +25,9 @@ export function startWorker() {
 }
 
 export const view = VIEW;
+
+/** The mechanisms of the library as files. @type {{name: string, text: string}[]} */
+export const examples = EXAMPLES;
+
+/** The names that an expression can call. @type {string[]} */
+export const functions = FUNCTIONS;

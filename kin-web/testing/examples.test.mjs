@@ -27,3 +27,14 @@ test("every mechanism of the list has no mistakes, and moves", () => {
     assert.equal(formatted, text, name);
   }
 });
+
+test("files with loads have no mistakes, and move with their forces", () => {
+  for (const file of ["crank_press", "rack_press"]) {
+    const text = readFileSync(new URL(`../../kin-studio/examples/${file}.kin`, import.meta.url), "utf8");
+    const { check, report } = ask({ ask: "motion", text }).motion;
+    assert.deepEqual(check.mistakes, [], file);
+    assert.ok(report.forces.joints.length > 0, file);
+    const wrong = ask({ ask: "motion", text: text.replace("mass of ram", "mass of rams") }).motion;
+    assert.match(wrong.check.mistakes[0].message, /there is no body `rams`; did you mean `ram`/);
+  }
+});

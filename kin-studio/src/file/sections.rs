@@ -44,9 +44,17 @@ pub(crate) struct Part {
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     pub(crate) head: Part,
-    /// The tokens of the head.
-    pub(crate) words: Vec<TokenTree>,
+    /// The tokens of the head. They are text, as the positions of tokens end where a declaration is compiled without a
+    /// thread of its own.
+    pub(crate) words: Vec<Part>,
     pub(crate) value: Part,
+}
+
+impl Entry {
+    /// Whether its first word is this.
+    pub(crate) fn begins_with(&self, word: &str) -> bool {
+        self.words.first().is_some_and(|first| first.text == word)
+    }
 }
 
 impl Part {
@@ -97,6 +105,12 @@ impl Part {
             range: start..start + inner.len(),
         };
         Some(inner.parts())
+    }
+
+    /// Whether it may be a name.
+    pub(crate) fn is_word(&self) -> bool {
+        self.text
+            .starts_with(|letter: char| letter.is_alphabetic() || letter == '_')
     }
 
     pub(crate) fn mistake(&self, message: impl Into<String>) -> Mistake {
@@ -292,7 +306,10 @@ fn entry(section: &str, part: &[TokenTree], whole: Range<usize>, text: &str) -> 
     if value.text.is_empty() {
         return Err(Mistake::new(format!("`{}` has no value", head.text), whole));
     }
-    let words = part[..equals].to_vec();
+    let words = part[..equals]
+        .iter()
+        .map(|token| Part::new(text, range_of(token)))
+        .collect();
     Ok(Entry { head, words, value })
 }
 

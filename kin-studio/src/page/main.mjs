@@ -130,7 +130,8 @@ export function start(report, solver, kept = null) {
   const first = allRows(sweep)[0];
   const forceScales = report.forces && first ? scalesOfForces(model, sizeOf(first.pose)) : null;
   const scrubber = createScrubber(part("scrubber"), model);
-  const paper = createPaper(part("paper"), model, (x) => goTo(x));
+  /** The part below the fold, which is made with its peaks. */
+  let paper = null;
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
     state.design = { ...state.design, [group]: group === "speed" ? value : { ...state.design[group], [name]: value } };
     solve();
@@ -240,6 +241,7 @@ export function start(report, solver, kept = null) {
     const least = exact ? worstTransmission(model) : null;
     const at = least && inputText(model, least.at, state.degrees);
     const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
+    paper ??= createPaper(part("paper"), model, (x) => goTo(x));
     paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle ?? ""}`);
   }
 
@@ -1057,7 +1059,12 @@ export function start(report, solver, kept = null) {
 
   setUp();
   listen();
-  showPeaks();
+  if (givenPeaks(model).length > 0) {
+    showPeaks();
+  } else {
+    // the page's own peaks take longer than the first picture, as does all that is below the fold
+    later();
+  }
   if (sweep.spans.length === 0) {
     unsolved = true;
   } else if (kept !== null) {

@@ -1,5 +1,6 @@
 //! The program, as a person types it.
 
+mod chapters;
 mod codes;
 mod commands;
 mod files;

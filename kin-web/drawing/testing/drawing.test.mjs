@@ -179,6 +179,44 @@ test("a four-bar linkage by keyboard alone", () =>
     assert.equal(await page.evaluate(() => document.activeElement.id), "drawing");
   }));
 
+test("a length is typed at its link", () =>
+  desk.withDrawing(async (page) => {
+    await drawFourBar(page);
+    const lengthOf = async (from, to) => {
+      const { points } = await sketchOf(page);
+      return Math.hypot(points[to].x - points[from].x, points[to].y - points[from].y);
+    };
+    // a digit on the selected link begins its length
+    await page.mouse.click(...(await screen(page, [-3, 0.5])));
+    await page.keyboard.type("4,6");
+    const field = page.locator(".at-link");
+    assert.equal(await field.getAttribute("aria-label"), "Length b–c");
+    const [box, link] = [await field.boundingBox(), await partAt(page, "link", 1)];
+    near(box.x + box.width / 2, link[0], 2);
+    near(box.y + box.height / 2, link[1], 2);
+    await page.keyboard.press("Enter");
+    near(await lengthOf(1, 2), 4.6, 1e-9);
+    assert.equal(await field.isVisible(), false);
+    // a double click opens it with the length that it has; Escape and what is no length leave it
+    const [x, y] = await partAt(page, "link", 0);
+    for (const [text, end] of [
+      ["3", "Escape"],
+      ["-3", "Enter"],
+      ["", "Enter"],
+    ]) {
+      await page.mouse.dblclick(x, y);
+      assert.equal(await field.inputValue(), "2");
+      await field.fill(text);
+      await page.keyboard.press(end);
+      near(await lengthOf(0, 1), 2, 1e-9);
+    }
+    await page.mouse.dblclick(x, y);
+    await page.keyboard.type("2.5");
+    await page.mouse.click(...(await screen(page, [5, 3])));
+    near(await lengthOf(0, 1), 2.5, 1e-9);
+    assert.equal(await field.isVisible(), false);
+  }));
+
 test("a length is typed, and the others stay", () =>
   desk.withDrawing(async (page) => {
     await drawFourBar(page);
@@ -255,6 +293,37 @@ test("a slider-crank whose block holds the rod's ram", () =>
     await choose(page, "slider");
     await clickAt(page, [1, 0]);
     assert.deepEqual((await sketchOf(page)).slides, []);
+  }));
+
+test("the line of a slide is turned by its handle", () =>
+  desk.withDrawing(async (page) => {
+    await choose(page, "link");
+    await drag(page, [-3, 0], [1, 0]);
+    await choose(page, "slider");
+    await clickAt(page, [1, 0]);
+    await choose(page, "select");
+    const direction = async () => (await sketchOf(page)).slides[0].direction;
+    assert.equal(await direction(), 0);
+    const handle = page.locator(".slide-handle");
+    assert.equal(await handle.count(), 1);
+    const middle = async () => {
+      const { x, y, width, height } = await handle.boundingBox();
+      return [x + width / 2, y + height / 2];
+    };
+    // to a round angle, and with Alt to any
+    const [x, y] = await screen(page, [1, 0]);
+    await dragBetween(page, await middle(), [x + 2, y - 60]);
+    near(await direction(), Math.PI / 2, 1e-12);
+    near((await middle())[0], x, 1);
+    await page.keyboard.down("Alt");
+    await dragBetween(page, await middle(), [x + 50, y - 20]);
+    await page.keyboard.up("Alt");
+    near(await direction(), Math.atan2(20, 50), 0.02);
+    // one step back, and without the selection the line has no handle
+    await page.keyboard.press("Control+z");
+    near(await direction(), Math.PI / 2, 1e-12);
+    await clickAt(page, [-4, -2]);
+    assert.equal(await handle.isVisible(), false);
   }));
 
 test("an inverted slider: the pin of the crank slides along a link", () =>

@@ -4,14 +4,13 @@ use std::f64::consts::FRAC_PI_2;
 
 use kin_core::reaction::{NamedReactions, ReactionError};
 use kin_core::{Dimension, Space};
-use proc_macro2::{Ident, TokenTree};
 
 use super::super::fault::similar;
 use super::super::loads::{Joint, JointFriction, JointKind, joints_of, space};
 use super::super::units;
 use super::super::value;
 use super::loads::{Read, Reader};
-use crate::file::{Entry, Mistake, Part, is_ident};
+use crate::file::{Entry, Mistake, Part};
 use crate::forces::{StatedContact, StatedPitch, StatedPlace, StatedRadius};
 
 /// The words with which a statement of a joint begins.
@@ -19,12 +18,12 @@ const KINDS: [&str; 4] = ["friction", "hinge", "gears", "rack"];
 
 /// Whether an entry states something of a joint.
 pub(super) fn is_of_joint(entry: &Entry) -> bool {
-    KINDS.iter().any(|kind| is_ident(entry.words.first(), kind))
+    KINDS.iter().any(|kind| entry.begins_with(kind))
 }
 
 /// Whether an entry states friction.
 pub(super) fn is_friction(entry: &Entry) -> bool {
-    is_ident(entry.words.first(), "friction")
+    entry.begins_with("friction")
 }
 
 /// How friction is written.
@@ -51,15 +50,20 @@ enum Flank {
     Line(StatedPlace),
 }
 
+/// The name behind `of`, of an entry that has nothing else.
+pub(super) fn behind_of(entry: &Entry) -> Option<&Part> {
+    match entry.words.as_slice() {
+        [_, of, word] if of.text == "of" && word.is_word() => Some(word),
+        _ => None,
+    }
+}
+
 /// The joint of a name.
-fn named<'j>(word: &Ident, joints: &'j [Joint]) -> Result<&'j Joint, Mistake> {
-    let name = word.to_string();
-    joints.iter().find(|joint| joint.name == name).ok_or_else(|| {
-        let advice = similar(&name, joints.iter().map(|joint| joint.name.as_str()));
-        Mistake::new(
-            format!("there is no joint `{name}`; {advice}"),
-            word.span().byte_range(),
-        )
+fn named<'j>(word: &Part, joints: &'j [Joint]) -> Result<&'j Joint, Mistake> {
+    let name = &word.text;
+    joints.iter().find(|joint| joint.name == *name).ok_or_else(|| {
+        let advice = similar(name, joints.iter().map(|joint| joint.name.as_str()));
+        word.mistake(format!("there is no joint `{name}`; {advice}"))
     })
 }
 
@@ -71,18 +75,13 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// `friction of knee = 0.1, radius 12mm`.
     pub(super) fn friction_of(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let [_, of, TokenTree::Ident(word)] = entry.words.as_slice() else {
-            return Err(entry.head.mistake(FRICTION));
-        };
-        if !is_ident(Some(of), "of") {
-            return Err(entry.head.mistake(FRICTION));
-        }
+        let word = behind_of(entry).ok_or_else(|| entry.head.mistake(FRICTION))?;
         let joints = self.joints();
         let joint = named(word, &joints)?;
         let name = joint.name.clone();
         if joint.kind == JointKind::Contact {
             let message = format!("`{name}` rolls, and friction is that of a pin or a slide: leave it out");
-            return Err(Mistake::new(message, word.span().byte_range()));
+            return Err(word.mistake(message));
         }
         let parts = entry.value.parts();
         let Some((first, sizes)) = parts.split_first().filter(|(_, sizes)| sizes.len() < 2) else {
@@ -132,14 +131,11 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// `hinge of pivot = axis`.
     pub(super) fn hinge_of(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let word = match entry.words.as_slice() {
-            [_, of, TokenTree::Ident(word)] if is_ident(Some(of), "of") => word,
-            _ => return Err(entry.head.mistake(HINGE)),
-        };
+        let word = behind_of(entry).ok_or_else(|| entry.head.mistake(HINGE))?;
         let name = named(word, &self.joints())?.name.clone();
         if !self.is_space {
             let no_ball = ReactionError::NoBall { reaction: name };
-            return Err(Mistake::new(no_ball.to_string(), word.span().byte_range()));
+            return Err(word.mistake(no_ball.to_string()));
         }
         let axis = self.direction(&entry.value, HINGE)?;
         self.join(word, |reactions| Ok(reactions.hinge(&name, axis.own(1.0))?))?;
@@ -148,11 +144,14 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// `gears mesh = crank at (0, 0) radius 40mm, wheel at pivot radius 50mm, pressure angle 20deg`, or a `rack`.
     pub(super) fn contact(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let is_rack = is_ident(entry.words.first(), "rack");
+        let is_rack = entry.begins_with("rack");
         let form = if is_rack { RACK } else { GEARS };
-        let [_, TokenTree::Ident(word)] = entry.words.as_slice() else {
+        let [_, word] = entry.words.as_slice() else {
             return Err(entry.head.mistake(form));
         };
+        if !word.is_word() {
+            return Err(entry.head.mistake(form));
+        }
         let parts = entry.value.parts();
         let ([one, other], angle) = match parts.as_slice() {
             [one, other] => ([one, other], None),
@@ -174,7 +173,7 @@ impl<'j> Reader<'_, '_, 'j> {
             _ => return Err(entry.value.mistake(form)),
         };
         let contact = StatedContact {
-            name: word.to_string(),
+            name: word.text.clone(),
             bodies: [first, second],
             pitch,
             pressure_angle: angle.map_or(Ok(0.0), |part| self.pressure_angle(part, form))?,
@@ -187,11 +186,11 @@ impl<'j> Reader<'_, '_, 'j> {
     /// Joins bodies as stated, unless the mechanism cannot have such a joint.
     fn join(
         &mut self,
-        word: &Ident,
+        word: &Part,
         joined: impl FnOnce(NamedReactions<'j>) -> Result<NamedReactions<'j>, Box<ReactionError>>,
     ) -> Result<(), Mistake> {
         let reactions = self.reactions.clone().map(joined).transpose();
-        self.reactions = reactions.map_err(|error| Mistake::new(error.to_string(), word.span().byte_range()))?;
+        self.reactions = reactions.map_err(|error| word.mistake(error.to_string()))?;
         Ok(())
     }
 
@@ -227,10 +226,7 @@ impl<'j> Reader<'_, '_, 'j> {
 
     /// A length, or the name of a dimension.
     fn radius(&mut self, part: &Part) -> Result<StatedRadius, Mistake> {
-        if part
-            .text
-            .starts_with(|letter: char| letter.is_alphabetic() || letter == '_')
-        {
+        if part.is_word() {
             let parameters = self.description.parameters.iter();
             let lengths = parameters.filter(|own| own.dimension == Dimension::Length);
             let names: Vec<&str> = lengths.map(|own| own.name).collect();

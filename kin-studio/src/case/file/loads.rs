@@ -7,14 +7,13 @@ use kin_core::any::Description;
 use kin_core::linkage::AnyLinkage;
 use kin_core::load::NamedLoads;
 use kin_core::reaction::{NamedReactions, ReactionError};
-use proc_macro2::TokenTree;
 
 use super::super::fault::{listed, similar};
 use super::super::loads::{Centre, End, InSi, JointFriction, Load, Loads};
 use super::super::units::{self, Kind};
 use super::super::value::{self, Lengths};
-use super::joints::is_of_joint;
-use crate::file::{Entry, Mistake, Part, is_ident, range_of};
+use super::joints::{behind_of, is_of_joint};
+use crate::file::{Entry, Mistake, Part};
 use crate::forces::{StatedContact, StatedPlace};
 
 /// The words with which a load begins.
@@ -95,12 +94,8 @@ const TENSOR: &str = "a body of space has its centre in its frame, and three mom
 
 /// Whether a mass is that of a body which there is not.
 pub(super) fn lack_a_body(entries: &[Entry], bodies: &[String]) -> bool {
-    let is_one = |entry: &Entry| match entry.words.as_slice() {
-        [mass, of, TokenTree::Ident(body)] => {
-            is_ident(Some(mass), "mass") && is_ident(Some(of), "of") && !bodies.contains(&body.to_string())
-        }
-        _ => false,
-    };
+    let is_one =
+        |entry: &Entry| entry.begins_with("mass") && behind_of(entry).is_some_and(|body| !bodies.contains(&body.text));
     entries.iter().any(is_one)
 }
 
@@ -136,19 +131,19 @@ pub(super) struct Reader<'r, 'd, 'j> {
 
 impl Reader<'_, '_, '_> {
     fn load(&mut self, entry: &Entry) -> Result<Read, Mistake> {
-        let kind = entry.words.first().map(ToString::to_string).unwrap_or_default();
-        let Some(kind) = KINDS.into_iter().find(|own| *own == kind) else {
-            let first = entry.words.first().map_or(entry.head.range.clone(), range_of);
-            let message = match similar(&kind, KINDS) {
+        let first = entry.words.first().unwrap_or(&entry.head);
+        let kind = &first.text;
+        let Some(kind) = KINDS.into_iter().find(|own| own == kind) else {
+            let message = match similar(kind, KINDS) {
                 advice if advice.starts_with("did") => format!("there is no load `{kind}`; {advice}"),
                 _ => format!(
                     "a load begins with its kind, as in `mass tip = 2kg;`; there are {}",
                     listed(&KINDS)
                 ),
             };
-            return Err(Mistake::new(message, first));
+            return Err(first.mistake(message));
         };
-        if kind == "mass" && is_ident(entry.words.get(1), "of") {
+        if kind == "mass" && entry.words.get(1).is_some_and(|word| word.text == "of") {
             return self.mass_of(entry).map(Read::Load);
         }
         if kind == "friction" {
@@ -254,16 +249,13 @@ impl Reader<'_, '_, '_> {
     /// The input behind `of`, or how the whole is written.
     fn input_of(&self, entry: &Entry, form: &str) -> Result<String, Mistake> {
         let inputs = self.description.inputs;
-        let word = match entry.words.as_slice() {
-            [_, of, TokenTree::Ident(word)] if is_ident(Some(of), "of") => word.to_string(),
-            _ => return Err(entry.head.mistake(form)),
-        };
-        if inputs.iter().any(|own| own.name == word) {
-            return Ok(word);
+        let word = behind_of(entry).ok_or_else(|| entry.head.mistake(form))?;
+        let name = &word.text;
+        if inputs.iter().any(|own| own.name == name) {
+            return Ok(name.clone());
         }
-        let advice = similar(&word, inputs.iter().map(|own| own.name));
-        let message = format!("there is no input `{word}`; {advice}");
-        Err(Mistake::new(message, range_of(&entry.words[2])))
+        let advice = similar(name, inputs.iter().map(|own| own.name));
+        Err(word.mistake(format!("there is no input `{name}`; {advice}")))
     }
 
     /// `drive of theta = crank`.
@@ -306,16 +298,14 @@ impl Reader<'_, '_, '_> {
     fn mass_of(&mut self, entry: &Entry) -> Result<Load, Mistake> {
         let form = "the mass of a body has a centre and an inertia: write `2kg at (30mm, 0), inertia 0.02kgm2`, or a \
                     point of the body behind `at`";
-        let body = match &entry.words[2..] {
-            [TokenTree::Ident(body)] => body.to_string(),
-            _ => return Err(entry.head.mistake(self.advice("mass"))),
-        };
+        let word = behind_of(entry).ok_or_else(|| entry.head.mistake(self.advice("mass")))?;
+        let body = word.text.clone();
         if !self.names.bodies().contains(&body.as_str()) {
             let message = match self.names.bodies().as_slice() {
                 [] => format!("there is no body `{body}`; bodies are declared, as in `body {body}: 0, pin;`"),
                 bodies => format!("there is no body `{body}`; {}", similar(&body, bodies.iter().copied())),
             };
-            return Err(Mistake::new(message, range_of(&entry.words[2])));
+            return Err(word.mistake(message));
         }
         let parts = entry.value.parts();
         let (mass, inertia) = match parts.as_slice() {
@@ -381,14 +371,13 @@ impl Reader<'_, '_, '_> {
         let Some(words) = entry.words.get(1..).filter(|words| !words.is_empty()) else {
             return Ok(Vec::new());
         };
-        let is_to = |word: &TokenTree| matches!(word, TokenTree::Ident(word) if word == "to");
         let start = entry.head.range.start;
         let mut targets = Vec::new();
-        for words in words.split(is_to) {
+        for words in words.split(|word| word.text == "to") {
             let (Some(first), Some(last)) = (words.first(), words.last()) else {
                 return Err(entry.head.mistake("a point is missing beside `to`"));
             };
-            let range = range_of(first).start..range_of(last).end;
+            let range = first.range.start..last.range.end;
             let text = entry.head.text[range.start - start..range.end - start].to_owned();
             targets.push(self.target(&Part { text, range })?);
         }
