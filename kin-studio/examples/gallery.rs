@@ -1,8 +1,8 @@
 //! Writes a page for every mechanism of the library, or for those with the given names, and an index with drawings.
 //!
 //! ```sh
-//! cargo run --release -p kin-studio --features gallery --example gallery -- docs/pages
-//! cargo run --release -p kin-studio --features gallery --example gallery -- docs/pages FourBar JansenLeg
+//! cargo run --release -p kin-studio --features gallery --example gallery -- pages
+//! cargo run --release -p kin-studio --features gallery --example gallery -- pages FourBar JansenLeg
 //! ```
 //!
 //! It prints the time and the size of each page.
