@@ -14,6 +14,8 @@ import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
 import { nearestInput } from "../src/page/kinematics/nearest.mjs";
+import { axisOf, sharedPower, unitWithPower } from "../src/page/axes.mjs";
+import { placeOfReadout, readoutsOf } from "../src/page/readouts.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
 import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
 import { givenPeaks, ownPeaks } from "../src/page/kinematics/peaks.mjs";
@@ -80,6 +82,40 @@ test("ticks are round, and parts of a revolution in degrees", () => {
   assert.deepEqual(ticks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
   assert.deepEqual(ticks(0, 360, 4, true), [0, 90, 180, 270, 360]);
   assert.deepEqual(ticks(1, 1, 5), []);
+});
+
+test("an axis ends before few values that are far larger than the rest, and tells how far they go", () => {
+  const wave = [...Array(200).keys()].map((step) => Math.sin(step / 10));
+  const quiet = axisOf(wave, 1);
+  assert.deepEqual([quiet.above, quiet.below], [null, null]);
+  assert.ok(quiet.low < -1 && quiet.low > -1.3 && quiet.high > 1 && quiet.high < 1.3);
+  const singular = axisOf([...wave, 1e18, -3e9], 1);
+  assert.deepEqual([singular.above, singular.below], [1e18, -3e9]);
+  assert.ok(singular.low < -1 && singular.high > 1 && singular.high - singular.low < 20);
+  // a peak that can be read beside the rest is no singularity
+  assert.equal(axisOf([...wave, 100], 1).above, null);
+  // a short move between rests keeps its peak
+  assert.equal(axisOf([...Array(200).fill(0), 5, 40, 5], 1).above, null);
+});
+
+test("what changes by rounding alone is a straight line", () => {
+  const { low, high } = axisOf([1e-13, -2e-14, 3e-15], 90);
+  assert.ok(high - low > 1 && low < 0 && high > 0);
+});
+
+test("numbers of an axis share a power of ten", () => {
+  assert.deepEqual([[0, 20000], [5e-4], [2e7, -3e6], [0]].map(sharedPower), [0, -6, 6, 0]);
+  assert.deepEqual([unitWithPower("mm", 6), unitWithPower("", -3), unitWithPower("°", 0)], ["10⁶ mm", "10⁻³", "°"]);
+});
+
+test("values stand beside the title, in lines with their names, or without names", () => {
+  const names = (count) => [...Array(count).keys()].map((index) => `angle_${index}`);
+  assert.equal(readoutsOf(names(1), 320, 130).columns, 0);
+  const six = readoutsOf(names(6), 390, 130);
+  assert.deepEqual([six.named, six.columns, six.count], [true, 3, 6]);
+  assert.deepEqual(placeOfReadout(six, 4), [130, 26]);
+  const narrow = readoutsOf(names(6), 195, 90);
+  assert.ok(!narrow.named && narrow.count >= 4);
 });
 
 test("a newer report is refused with both numbers", () => {
