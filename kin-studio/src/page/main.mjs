@@ -35,7 +35,7 @@ import { createPlots } from "./plots.mjs";
 import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { createView, fitView, flat, onPage } from "./view.mjs";
+import { createView, fitView, flat, moveView, onPage, seesAll } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
 /** The options of the picture: their words, and whether they are shown at first. */
@@ -56,6 +56,8 @@ const PRINTED = [
   [269, 453],
 ];
 const ARROWS = ["velocity", "acceleration", "jerk"];
+/** The time in which the picture is fitted again, in seconds. */
+const FITTING = 0.35;
 /** The length of the arrow of the largest force, as a part of the picture. */
 const LONGEST_FORCE = 0.24;
 /** The part of the plots that the paths of force vectors take. */
@@ -98,6 +100,8 @@ export function start(report, solver, kept = null) {
     forward: 1,
     held: 0,
     followed: [],
+    ownView: false,
+    changed: false,
     size: [0, 0],
     plotSize: [0, 0],
     printing: false,
@@ -123,6 +127,7 @@ export function start(report, solver, kept = null) {
   let version = 0;
   let redrawn = true;
   let framed = false;
+  let fitting = null;
   const picture = createPicture(part("picture"), model);
   const plots = createPlots(part("plots"), model);
   const hodographs = createHodographs(part("plots"), model);
@@ -182,6 +187,7 @@ export function start(report, solver, kept = null) {
       redrawn = false;
       drawStill();
     }
+    goOnFitting(seconds);
     drawPose();
     if (state.playing && !state.hovering) {
       measureFrame(performance.now() - begin);
@@ -203,6 +209,7 @@ export function start(report, solver, kept = null) {
     const begin = performance.now();
     unsolved = false;
     version += 1;
+    state.changed = true;
     sweep = createSweep(model, state.design, assemblyNow());
     anatomy = anatomyOf(sweep) ?? anatomy;
     others = null;
@@ -228,6 +235,7 @@ export function start(report, solver, kept = null) {
     laterTimer = setTimeout(() => {
       showPeaks();
       sayPose();
+      fitAgain();
     }, 150);
   }
 
@@ -240,7 +248,15 @@ export function start(report, solver, kept = null) {
     const least = exact ? worstTransmission(model) : null;
     const at = least && inputText(model, least.at, state.degrees);
     const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
-    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle ?? ""}`);
+    const shown = peaks.length > 0 ? peaks : ownPeaks(sweep);
+    paper.showPeaks(shown, state.degrees, `${rest}${angle ?? ""}`);
+    if (state.reference === null) {
+      paper.comparison.hide();
+    } else {
+      const given = state.reference.reported ? givenPeaks(model) : [];
+      const kept = given.length > 0 ? given : ownPeaks(state.reference);
+      paper.comparison.show([state.reference.design, sweep.design], [kept, shown], state.degrees);
+    }
   }
 
   function amount(value) {
@@ -421,7 +437,37 @@ export function start(report, solver, kept = null) {
     return allRows(sweep).filter((_, index) => index % 3 === 0);
   }
 
+  /** Fits the picture where a change has moved links out of it, unless the reader chose the view. */
+  function fitAgain() {
+    const joints = someRows().flatMap(({ pose }) => pose.joints);
+    if (!state.changed || state.ownView || seesAll(view, joints, state.size)) {
+      return;
+    }
+    state.changed = false;
+    const from = { ...view };
+    fit();
+    if (!still) {
+      fitting = { from, to: { ...view }, part: 0 };
+      Object.assign(view, from);
+      last = performance.now();
+    }
+    ask();
+  }
+
+  function goOnFitting(seconds) {
+    if (fitting === null) {
+      return;
+    }
+    const part = Math.min(1, fitting.part + seconds / FITTING);
+    // slow at both ends
+    moveView(view, fitting.from, fitting.to, part * part * (3 - 2 * part));
+    fitting = part < 1 ? { ...fitting, part } : null;
+    ask();
+  }
+
   function fit() {
+    state.ownView = false;
+    fitting = null;
     const rows = someRows();
     const points = rows.flatMap(({ pose }) => [
       ...pose.joints,
@@ -509,6 +555,7 @@ export function start(report, solver, kept = null) {
   function allTrails() {
     const others = state.shows.ghosts ? otherSweeps() : [];
     return [
+      ...(state.reference ? trailsOf(state.reference, "reference") : []),
       ...others.flatMap(({ assembly, index, sweep: other }) => trailsOf(other, colourOfCircuit(assembly, index))),
       ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly)),
     ];
@@ -563,7 +610,9 @@ export function start(report, solver, kept = null) {
         const pose = rowAt(other, state.x)?.pose;
         if (pose) {
           const title = `${nameOfAssembly(assembly)}: click to change to it`;
-          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title });
+          // many names are a tangle
+          const name = report.assemblies.length === 2 ? assembly.name : "";
+          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title, name });
         }
       }
     }
@@ -833,7 +882,9 @@ export function start(report, solver, kept = null) {
   /** Shows another sweep beside, or none. */
   function compare(reference) {
     state.reference = reference;
+    version += 1;
     redraw();
+    later();
   }
 
   function swap() {
@@ -938,7 +989,11 @@ export function start(report, solver, kept = null) {
       pose: () => lastRow.pose,
       drag,
       end: later,
-      changed: ask,
+      changed() {
+        state.ownView = true;
+        fitting = null;
+        ask();
+      },
       assembly: changeAssembly,
       pick,
       trace,

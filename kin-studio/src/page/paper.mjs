@@ -1,4 +1,5 @@
 /** The part of the page below the fold: peaks, sensitivities, equations, their solution, the declaration. */
+import { createComparison } from "./comparison.mjs";
 import { memberText } from "./curves.mjs";
 import { inputAt } from "./kinematics/drive.mjs";
 import { button, choice, definitions, drawn, made, table } from "./elements.mjs";
@@ -38,6 +39,7 @@ export function createPaper(parent, model, go) {
     });
   });
   add("Peaks", peakTable, made("p", { className: "row" }, copy, note));
+  const comparison = createComparison(add, model);
   const showForces = forces(add, model, go);
   const showSensitivities = sensitivities(add, model);
   equations(add, model);
@@ -46,6 +48,7 @@ export function createPaper(parent, model, go) {
   manual(add, model);
 
   return {
+    comparison,
     showPeaks(peaks, degrees, source) {
       showForces(degrees);
       showSensitivities(degrees);

@@ -37,7 +37,7 @@ const LAYERS = [
  * @property {any[]} followed
  * @property {string} still what grid and trails depend on: they are drawn again when it differs
  * @property {() => {points: number[][], colour: string, closed: boolean}[]} trails in the mechanism's coordinates
- * @property {{pose: any, index: number, colour: string, title: string}[]} ghosts
+ * @property {{pose: any, index: number, colour: string, title: string, name: string}[]} ghosts
  * @property {any} reference another pose, or null
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
@@ -462,6 +462,22 @@ function names(layer, model, scene, joints, room, choices) {
         "of-point",
       );
     });
+    // a name stands at a line that moves
+    const writeGhost = (key, pose, name) => {
+      const points = pose.joints.map((joint) => onPage(scene.view, joint));
+      const moving = model.outline.bodies.map(({ joints: ofBody }) => ofBody.slice(0, 2).map((joint) => points[joint]));
+      const around = moving
+        .filter((ends) => ends.length === 2)
+        .reverse()
+        .flatMap(([from, to]) =>
+          [0.5, 0.3, 0.7].map((part) => from.map((value, axis) => value + part * (to[axis] - value))),
+        );
+      write(key, around.length > 0 ? around : points, name, "of-ghost");
+    };
+    scene.ghosts.forEach(({ pose, name, index }) => name && writeGhost(`g${index}`, pose, name));
+    if (scene.reference) {
+      writeGhost("A", scene.reference, "A");
+    }
     scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
     model.outline.bodies.forEach(({ name, joints: ofBody }, body) => {
       if (scene.free !== null && scene.free !== body) {

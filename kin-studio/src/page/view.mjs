@@ -40,6 +40,21 @@ export function fitView(view, points, room) {
   view.y = 0.5 * (room.top + room.bottom) - 0.5 * (low[1] + high[1]) * view.scale;
 }
 
+/** Whether all points are seen in a picture of a size. */
+export function seesAll(view, points, [width, height]) {
+  return points.every((point) => {
+    const [x, y] = onPage(view, point);
+    return x >= 0 && x <= width && y >= 0 && y <= height;
+  });
+}
+
+/** Brings a view from one place and scale to another, by a part of the way. */
+export function moveView(view, from, to, part) {
+  for (const name of ["scale", "x", "y"]) {
+    view[name] = from[name] + (to[name] - from[name]) * part;
+  }
+}
+
 /** Enlarges about a point of the picture. */
 export function zoomView(view, at, factor) {
   view.scale *= factor;
