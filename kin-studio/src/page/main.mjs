@@ -1,4 +1,5 @@
 /** The page: what is shown, and what happens when a reader acts. */
+import { movingPicture } from "./animation.mjs";
 import { curvesOf } from "./curves.mjs";
 import { createSliders } from "./dimensions.mjs";
 import { button, change, choice, made, part, setText, tick } from "./elements.mjs";
@@ -10,6 +11,7 @@ import { motionOf } from "./kinematics/drive.mjs";
 import { scalesOfForces } from "./kinematics/forces.mjs";
 import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
 import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
+import { designLike, pageKeeping } from "./keeping.mjs";
 import { nearestInput } from "./kinematics/nearest.mjs";
 import { givenPeaks, ownPeaks } from "./kinematics/peaks.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "./kinematics/rates.mjs";
@@ -23,6 +25,7 @@ import {
   rowAt,
   sizeOf,
   spanAt,
+  straightNames,
   valueAt,
 } from "./kinematics/sweep.mjs";
 import { BESIDE_LIMIT, PARTS } from "./kinematics/tolerances.mjs";
@@ -58,6 +61,8 @@ const PRINTED = [
 const ARROWS = ["velocity", "acceleration", "jerk"];
 /** The time in which the picture is fitted again, in seconds. */
 const FITTING = 0.35;
+/** The frames of a moving picture from one end of its motion to the other. */
+const FRAMES = 90;
 /** The length of the arrow of the largest force, as a part of the picture. */
 const LONGEST_FORCE = 0.24;
 /** The part of the plots that the paths of force vectors take. */
@@ -66,11 +71,13 @@ const HODOGRAPHS = 0.52;
 /**
  * Starts the page.
  *
- * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it
+ * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it, or with the design
+ *   that a saved page has
+ * @param {HTMLElement | null} written the page before this script changed it, if it can be saved
  * @returns {{keep: () => object, design: () => {name: string, dimension: string, value: number}[]} | null} the view of
  *   the page, and the dimensions and standing inputs that it shows by their declared names
  */
-export function start(report, solver, kept = null) {
+export function start(report, solver, kept = null, written = null) {
   const refusal = reasonToRefuse(report);
   if (refusal) {
     refuse(report, refusal);
@@ -114,6 +121,9 @@ export function start(report, solver, kept = null) {
     state.degrees = kept.degrees;
     const same = report.assemblies.findIndex(({ name }) => name === kept.assembly);
     state.assembly = same < 0 || !kept.chosen ? state.assembly : same;
+    if (kept.design) {
+      state.design = designLike(given, kept.design);
+    }
   }
   const view = createView(model.space);
   let sweep = createSweep(model, state.design, assemblyNow());
@@ -270,6 +280,7 @@ export function start(report, solver, kept = null) {
 
   function sayPose() {
     if (row !== null && !state.playing) {
+      paper.showPose(row, state.degrees);
       setText(
         part("spoken"),
         poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()),
@@ -404,6 +415,7 @@ export function start(report, solver, kept = null) {
       reference: isOfForces ? null : state.reference,
       marks,
       speed: state.design.speed,
+      brief: state.printing,
     });
     hodographs.draw({ width, top: top + 6, height: height - top - 6, shown: vectors, turning: state.turning, sweep });
     setText(part("forces-note"), isOfForces ? noteOfForces() : "");
@@ -932,11 +944,14 @@ export function start(report, solver, kept = null) {
     const isPlotted = ({ column }) => plots.includes(column);
     const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
     state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
-    if (plots.length > 0) {
+    const isChosen = model.quantities.some(({ declared, isInput }) => !isInput && !plots.includes(declared));
+    if (plots.length > 0 && isChosen) {
       const others = groups.flatMap(({ curves }) =>
         curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
       );
       others.forEach(({ name }) => state.hidden.add(name));
+    } else {
+      straightNames(sweep).forEach((name) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();
@@ -971,6 +986,7 @@ export function start(report, solver, kept = null) {
       say("", false);
       showPeaks();
       redraw();
+      later();
     });
     clicked("open-dimensions", () => openDrawer(part("dimensions").hidden));
     clicked("close-dimensions", () => {
@@ -1028,6 +1044,9 @@ export function start(report, solver, kept = null) {
         state.printing = printing;
         drawStill();
         drawPose();
+        if (row !== null) {
+          paper.showPose(row, state.degrees);
+        }
       });
     }
     document.addEventListener("keydown", pressed);
@@ -1054,6 +1073,26 @@ export function start(report, solver, kept = null) {
     );
   }
 
+  /** The motion as a file: a revolution or a law anew and anew, and a part of a range there and back. */
+  function motionFile() {
+    const { x, forward, playing } = state;
+    const { from, to } = spanAt(sweep, x) ?? { from: x, to: x };
+    const ways = sweep.full || model.drive.overTime ? [1] : [1, -1];
+    const begin = state.design.speed < 0 ? to : from;
+    const frames = ways.flatMap((way) =>
+      [...Array(FRAMES + 1).keys()].map((step) => () => {
+        const part = (way > 0 ? step : FRAMES - step) / FRAMES;
+        Object.assign(state, { x: begin + (from + to - 2 * begin) * part, forward: way, playing: true });
+        drawPose();
+      }),
+    );
+    const time = (to - from) / (Math.abs(state.design.speed) * secondsOf(model.units.time) * state.pace);
+    const file = movingPicture(part("picture"), frames, ways.length * time, report.title);
+    Object.assign(state, { x, forward, playing });
+    drawPose();
+    return file;
+  }
+
   function listenToSaving() {
     const name = (report.module ?? report.name).replace(/[^A-Za-z0-9_-]+/g, "_");
     const on = (id, action) =>
@@ -1063,6 +1102,7 @@ export function start(report, solver, kept = null) {
       });
     const text = (file, content, type) => handOver(file, new Blob([content], { type }));
     on("save-csv", () => text(`${name}.csv`, sweepTable(sweep, state.degrees), "text/csv"));
+    on("save-animation", () => text(`${name}_moving.svg`, motionFile(), "image/svg+xml"));
     on("save-svg", () => text(`${name}.svg`, pictureFile(part("picture"), report.title), "image/svg+xml"));
     on("save-plots", () => text(`${name}_plots.svg`, pictureFile(part("plots"), report.title), "image/svg+xml"));
     on("save-png", () => {
@@ -1072,9 +1112,12 @@ export function start(report, solver, kept = null) {
       );
     });
     on("save-json", () => {
-      const all = { report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() };
+      const { design, x: input } = state;
+      const all = { report, design, assembly: assemblyNow().name, input, pose: valuesNow(), notes: paper.notes.text() };
       text(`${name}.json`, `${JSON.stringify(all, null, 1)}\n`, "application/json");
     });
+    part("save-page").hidden = written === null;
+    on("save-page", () => text(`${name}.html`, pageKeeping(written, left()), "text/html"));
     on("print", () => print());
   }
 
@@ -1110,8 +1153,39 @@ export function start(report, solver, kept = null) {
     }
   }
 
+  /** The view, which another page of this mechanism may take over. */
+  function keep() {
+    return {
+      x: state.x,
+      once: state.once,
+      playing: state.playing,
+      shows: state.shows,
+      degrees: state.degrees,
+      assembly: assemblyNow().name,
+      chosen: state.assembly !== (report.assembly ?? 0),
+      drawer: !part("dimensions").hidden,
+      notes: paper.notes.text(),
+    };
+  }
+
+  /** All that a saved page opens with. */
+  function left() {
+    const { design, followed, group } = state;
+    const reference = state.reference?.design ?? null;
+    return { ...keep(), playing: false, once: 0, design, reference, followed, group, hidden: [...state.hidden] };
+  }
+
   setUp();
   listen();
+  if (kept !== null) {
+    paper.notes.set(kept.notes ?? "");
+  }
+  if (kept?.design) {
+    state.followed = kept.followed;
+    state.hidden = new Set(kept.hidden);
+    setGroup(kept.group);
+    compare(kept.reference && createSweep(model, designLike(given, kept.reference), assemblyNow()));
+  }
   showPeaks();
   if (sweep.spans.length === 0) {
     unsolved = true;
@@ -1132,16 +1206,7 @@ export function start(report, solver, kept = null) {
     value: state.design[group][entry.name],
   });
   return {
-    keep: () => ({
-      x: state.x,
-      once: state.once,
-      playing: state.playing,
-      shows: state.shows,
-      degrees: state.degrees,
-      assembly: assemblyNow().name,
-      chosen: state.assembly !== (report.assembly ?? 0),
-      drawer: !part("dimensions").hidden,
-    }),
+    keep,
     design: () => [
       ...model.parameters.map(shown("parameters")),
       ...model.inputs.filter(({ moves }) => !moves).map(shown("standing")),

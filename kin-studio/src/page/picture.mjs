@@ -466,8 +466,9 @@ function names(layer, model, scene, joints, room, choices) {
     const writeGhost = (key, pose, name) => {
       const points = pose.joints.map((joint) => onPage(scene.view, joint));
       const moving = model.outline.bodies.map(({ joints: ofBody }) => ofBody.slice(0, 2).map((joint) => points[joint]));
-      const around = moving
-        .filter((ends) => ends.length === 2)
+      const lines = moving.filter((ends) => ends.length === 2);
+      lines.forEach((ends) => keepLines(room, ends, 1));
+      const around = lines
         .reverse()
         .flatMap(([from, to]) =>
           [0.5, 0.3, 0.7].map((part) => from.map((value, axis) => value + part * (to[axis] - value))),

@@ -26,6 +26,7 @@ const FOOT = 34;
  * @property {import("./kinematics/sweep.mjs").Sweep | null} reference
  * @property {import("./kinematics/marks.mjs").Mark[]} marks
  * @property {number} speed
+ * @property {boolean} brief whether values stand elsewhere, where they do not fit beside the titles
  */
 
 export function createPlots(svg, model) {
@@ -61,6 +62,7 @@ export function createPlots(svg, model) {
       now.shown.map(({ text }) => text),
       now.width - LEFT - RIGHT,
       high,
+      now.brief,
     );
     const upper = top + HEAD + Math.max(0, readouts.high - 6);
     const lower = top + high - 6;

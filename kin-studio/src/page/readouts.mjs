@@ -23,12 +23,18 @@ const PART = 0.34;
  * @property {boolean} wide whether there is room for two values in the place of each
  */
 
-/** @returns {Readouts} */
-export function readoutsOf(names, width, plotHeight) {
+/**
+ * @param {boolean} brief whether values are left out that do not fit beside the title
+ * @returns {Readouts}
+ */
+export function readoutsOf(names, width, plotHeight, brief = false) {
   const total = names.reduce((sum, name) => sum + LETTER * (name.length + 1 + VALUE) + DOT, 0);
   if (total < width - TITLE) {
     const wide = 2 * names.length * LETTER * 11 < width;
     return { named: true, columns: 0, count: names.length, step: 0, high: 0, wide };
+  }
+  if (brief) {
+    return { named: false, columns: 0, count: 0, step: 0, high: 0, wide: false };
   }
   const longest = Math.max(0, ...names.map(({ length }) => length + 1));
   const most = Math.max(1, Math.floor((PART * plotHeight) / LINE));
