@@ -14,6 +14,7 @@ import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
 import { nearestInput } from "../src/page/kinematics/nearest.mjs";
+import { acrossOf, groundAxes } from "../src/page/kinematics/axes.mjs";
 import { axisOf, sharedPower, unitWithPower } from "../src/page/axes.mjs";
 import { placeOfReadout, readoutsOf } from "../src/page/readouts.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
@@ -322,6 +323,23 @@ test("hulls are convex, and lines have two ends", () => {
     ],
   );
   assert.equal(hull([[1, 1]]).length, 1);
+});
+
+test("a body of space turns about the normal of its path, along its shaft, or about a point", () => {
+  const turned = (angle) => [Math.cos(angle), Math.sin(angle), 0.5];
+  const poses = [0, 0.3, 0.9, 2].map((angle) => ({
+    joints: [[0, 0, 0.5], turned(angle), [2, 0, 0], [2, 0, 3], [4, 0, 0], [4 + angle, angle ** 2, angle ** 3]],
+  }));
+  const outline = { ground: [0, 2, 3, 4], bodies: [{ joints: [0, 1] }, { joints: [2, 3, 1] }, { joints: [5, 4] }] };
+  const axes = groundAxes({ outline }, poses, 3);
+  assert.deepEqual(
+    axes.map((axis) => axis && axis.map((value) => Math.abs(value))),
+    [[0, 0, 1], null, [0, 0, 1], [0, 0, 1], null, null],
+  );
+  for (const direction of acrossOf([0.6, 0, 0.8])) {
+    assert.ok(Math.abs(direction[0] * 0.6 + direction[2] * 0.8) < 1e-15);
+    assert.ok(Math.abs(Math.hypot(...direction) - 1) < 1e-15);
+  }
 });
 
 test("names avoid lines, other names and the edge", () => {

@@ -623,6 +623,10 @@ test("a mechanism of space turns under the pointer, and its links are dragged", 
     const seen = () =>
       page.evaluate(() => [...document.querySelectorAll("#picture .bar")].map((bar) => bar.getAttribute("d")).join());
     const box = await page.locator("#picture").boundingBox();
+    assert.equal(await page.locator("#picture .axis").count(), 2);
+    assert.equal(await page.locator("#picture .ground-link").count(), 1);
+    const hint = "Drag beside the links to turn the view";
+    assert.ok((await page.textContent("#picture .grid")).includes(hint));
     const [before, input] = [await seen(), await inputNow(page)];
     await page.mouse.move(box.x + 8, box.y + 8);
     await page.mouse.down();
@@ -631,6 +635,7 @@ test("a mechanism of space turns under the pointer, and its links are dragged", 
     await settle(page);
     assert.notEqual(await seen(), before);
     assert.equal(await inputNow(page), input);
+    assert.equal(await page.locator("#picture .grid text:not([display])", { hasText: hint }).count(), 0);
     const { arm } = await crank(page);
     await page.mouse.move(...arm);
     await page.mouse.down();

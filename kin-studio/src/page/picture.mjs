@@ -1,5 +1,6 @@
 /** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
 import { coordinatesOf } from "./kinematics/anatomy.mjs";
+import { acrossOf } from "./kinematics/axes.mjs";
 import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { arcOfDrive, arrowHead, belowOf, BLOCK, blockOf, footOf, hatch, hull, unitOf } from "./notation.mjs";
@@ -7,7 +8,7 @@ import { numberText, ticks, withUnit } from "./numbers.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
 import { ROUNDING } from "./kinematics/tolerances.mjs";
 import { pool } from "./pool.mjs";
-import { flat, onPage } from "./view.mjs";
+import { flat, isTurned, onPage } from "./view.mjs";
 
 const LAYERS = [
   "grid",
@@ -24,6 +25,10 @@ const LAYERS = [
   "names",
   "hits",
 ];
+
+/** Half the length of an axis of space, in parts of the mechanism, and the radius of a bearing, in pixels. */
+const AXIS = 0.16;
+const BEARING = 13;
 
 /**
  * @typedef {object} Scene
@@ -111,6 +116,9 @@ function grid(layer, model, { view, width, height }, room) {
       layer.add("path", { d: line([corner, [corner[0] + 20 * x, corner[1] + 20 * y]]), class: "scale-line" });
       const at = { x: tenth(corner[0] + 28 * x), y: tenth(corner[1] + 28 * y + 4), class: "quiet middle" };
       setText(layer.add("text", at), name);
+    }
+    if (!isTurned(view)) {
+      setText(layer.add("text", { x: left, y: 16, class: "quiet" }), "Drag beside the links to turn the view");
     }
   }
   layer.end();
@@ -223,6 +231,11 @@ function ground(layer, model, scene, joints, room) {
     layer.add("path", { d: hatch(from, to, below), class: "hatch" });
     keepLines(room, [from, to], 6);
   });
+  if (model.space) {
+    groundOfSpace(layer, model, scene, joints, room);
+    layer.end();
+    return;
+  }
   joints.forEach(([x, y], joint) => {
     if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
       return;
@@ -234,6 +247,46 @@ function ground(layer, model, scene, joints, room) {
     room.boxes.push([x - 15, y - 5, x + 15, y + 22]);
   });
   layer.end();
+}
+
+/** The ground link, and the bearings of its joints: a disc at right angles to each axis, or a socket for a ball. */
+function groundOfSpace(layer, model, scene, joints, room) {
+  const { ground: fixed } = model.outline;
+  // of each shaft, the first bearing
+  const isFirst = (joint) =>
+    model.outline.bodies.every(
+      ({ joints: ofBody }) => !ofBody.includes(joint) || ofBody.find((one) => fixed.includes(one)) === joint,
+    );
+  const link = fixed.filter(isFirst).map((joint) => joints[joint]);
+  if (link.length > 1) {
+    layer.add("path", { d: line(link, link.length > 3), class: "ground-link" });
+    keepLines(room, link, 2, link.length > 3);
+  }
+  for (const joint of fixed.filter((one) => scene.anatomy.pins[one])) {
+    const axis = scene.anatomy.axes[joint];
+    const place = scene.pose.joints[joint];
+    const at = (direction, by) =>
+      onPage(
+        scene.view,
+        place.map((value, index) => value + by * direction[index]),
+      );
+    if (axis === null) {
+      const [x, y] = joints[joint];
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 10, class: "bearing" });
+    } else {
+      const ends = [-1, 1].map((sign) => at(axis, sign * AXIS * scene.anatomy.size));
+      layer.add("path", { d: line(ends), class: "axis" });
+      keepLines(room, ends, 2);
+      const [one, other] = acrossOf(axis);
+      const disc = [...Array(24).keys()].map((step) => {
+        const [cosine, sine] = [Math.cos((step * Math.PI) / 12), Math.sin((step * Math.PI) / 12)];
+        const direction = one.map((value, index) => cosine * value + sine * other[index]);
+        return at(direction, BEARING / scene.view.scale);
+      });
+      layer.add("path", { d: line(disc, true), class: "bearing" });
+    }
+    keepSquare(room, joints[joint], 12);
+  }
 }
 
 function directionOf(model, scene, slide) {

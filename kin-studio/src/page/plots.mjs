@@ -237,9 +237,10 @@ export function createPlots(svg, model) {
     drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: "axis-line" }, still);
     for (const x of axisTicks()) {
       const at = across(x);
-      const text = drawn("text", { x: tenth(at), y: y + 14, class: "quiet middle" }, still);
       const ofVariable = model.drive.overTime ? numberText(x, 4) : inputText(model, x, now.degrees, 4);
-      text.textContent = now.time ? numberText((x - model.from) / now.speed, 4) : ofVariable;
+      const text = now.time ? numberText((x - model.from) / now.speed, 4) : ofVariable;
+      const middle = Math.min(at, now.width - 4 * text.length);
+      drawn("text", { x: tenth(middle), y: y + 14, class: "quiet middle" }, still).textContent = text;
       drawn("path", { d: `M${tenth(at)} ${y}v4`, class: "axis-line" }, still);
     }
     const label = drawn("text", { x: now.width - RIGHT, y: y + 29, class: "quiet end" }, still);

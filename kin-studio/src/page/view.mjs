@@ -2,9 +2,17 @@
 
 /** @typedef {{space: boolean, scale: number, x: number, y: number, yaw: number, pitch: number}} View */
 
+/** The direction along the diagonal of space. */
+const DIAGONAL = { yaw: Math.PI / 4, pitch: Math.PI / 6 };
+
 /** A view along the diagonal of space, or straight upon the plane. @returns {View} */
 export function createView(space) {
-  return { space, scale: 1, x: 0, y: 0, yaw: Math.PI / 4, pitch: Math.PI / 6 };
+  return { space, scale: 1, x: 0, y: 0, ...DIAGONAL };
+}
+
+/** Whether a view of space was turned. */
+export function isTurned({ yaw, pitch }) {
+  return yaw !== DIAGONAL.yaw || pitch !== DIAGONAL.pitch;
 }
 
 /** A point or direction without scale and offset; y points down. @returns {[number, number]} */
