@@ -15,6 +15,8 @@ import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
 import { nearestInput } from "../src/page/kinematics/nearest.mjs";
 import { acrossOf, groundAxes } from "../src/page/kinematics/axes.mjs";
+import { gearsAt } from "../src/page/kinematics/gears.mjs";
+import { rackOf, teethOf } from "../src/page/teeth.mjs";
 import { axisOf, sharedPower, unitWithPower } from "../src/page/axes.mjs";
 import { placeOfReadout, readoutsOf } from "../src/page/readouts.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
@@ -340,6 +342,83 @@ test("a body of space turns about the normal of its path, along its shaft, or ab
     assert.ok(Math.abs(direction[0] * 0.6 + direction[2] * 0.8) < 1e-15);
     assert.ok(Math.abs(Math.hypot(...direction) - 1) < 1e-15);
   }
+});
+
+/** A gear on the ground and a wheel that rolls on it: outside, inside, or both as a rack. */
+function rolling({ radii: [one, other], centre, rack = null, turn }) {
+  const outline = {
+    ground: [0, 2],
+    bodies: [{ joints: [0, 1] }, { joints: [2, 3] }, { joints: [4] }],
+    slides: [{ joint: 4, guide: null }],
+  };
+  const forces = {
+    contacts: [
+      {
+        circles: [
+          { body: 0, centre: { fixed: [0, 0] }, radius: one, dimension: null },
+          ...(rack ? [] : [{ body: 1, centre: { joint: 2 }, radius: other, dimension: "r" }]),
+        ],
+        rack,
+      },
+    ],
+  };
+  const poseAt = (angle) => ({
+    joints: [
+      [0, 0],
+      [Math.cos(angle), Math.sin(angle)],
+      [centre, 0],
+      [centre + Math.cos(turn * angle), Math.sin(turn * angle)],
+      [one, 5 + one * angle],
+    ],
+    slides: [[0, 1]],
+  });
+  const angles = [0, 0.1, 0.2, 0.3];
+  const model = { space: false, outline, report: { forces }, parameters: [{ declared: "r", name: "r" }] };
+  const rows = angles.map((angle) => ({ x: angle, pose: poseAt(angle) }));
+  const sweep = {
+    model,
+    design: { parameters: { r: other } },
+    spans: [{ from: 0, to: 0.3, rows }],
+    gaps: [],
+    full: true,
+  };
+  return rows.map(({ pose }) => gearsAt(sweep, { fixed: [], drivers: [] }, pose));
+}
+
+test("teeth mesh: at the pitch point a tooth stands in a gap, and teeth turn with their bodies", () => {
+  const cases = [
+    { radii: [2, 5], centre: 7, turn: -2 / 5, isInside: false },
+    { radii: [2, 5], centre: -3, turn: 2 / 5, isInside: true },
+    { radii: [5, 2], centre: 3, turn: 5 / 2, isInside: true },
+  ];
+  for (const { isInside, ...one } of cases) {
+    const poses = rolling(one);
+    for (const { gears } of poses) {
+      const [first, second] = gears;
+      assert.ok(Math.abs(first.teeth / second.teeth - one.radii[0] / one.radii[1]) < 1e-12);
+      assert.equal(first.isRing || second.isRing, isInside);
+      const small = one.radii[0] < one.radii[1] ? first : second;
+      const large = small === first ? second : first;
+      const way = small.centre[0] - large.centre[0] > 0 ? 0 : Math.PI;
+      const part = (gear, direction) => (gear.teeth * (direction - gear.phase)) / (2 * Math.PI);
+      const sum = part(large, way) + (isInside ? -1 : 1) * part(small, isInside ? way : way + Math.PI);
+      assert.ok(Math.abs(Math.abs(sum - Math.round(sum)) - 0.5) < 1e-9, `${sum}`);
+    }
+    const [before, after] = poses.map(({ gears }) => gears[1].phase);
+    assert.ok(Math.abs(after - before - 0.1 * one.turn) < 1e-9);
+  }
+  const ring = teethOf(rolling(cases[1])[0].gears[1]);
+  assert.equal(ring.length, 2);
+});
+
+test("a rack moves with its body below its gear", () => {
+  const rack = { body: 2, along: [0, -3] };
+  const [before, after] = rolling({ radii: [2, 1], centre: 9, rack, turn: 1 }).map(({ racks }) => racks[0]);
+  const moved = rackOf(after).map(([x, y], index) => [x - rackOf(before)[index][0], y - rackOf(before)[index][1]]);
+  assert.ok(moved.length > 8 && moved.every(([x, y]) => Math.abs(x) < 1e-9 && Math.abs(y - 0.2) < 1e-9));
+  // the gear's pitch point is on the right, and the teeth point to the gear
+  assert.ok(Math.abs(before.up[0] + 1) < 1e-9);
+  assert.ok(Math.abs(before.from[0] - 2) < 1e-9);
 });
 
 test("names avoid lines, other names and the edge", () => {

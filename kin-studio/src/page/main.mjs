@@ -9,6 +9,7 @@ import { createHodographs } from "./hodographs.mjs";
 import { anatomyOf, coordinatesOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";
 import { scalesOfForces } from "./kinematics/forces.mjs";
+import { gearsAt } from "./kinematics/gears.mjs";
 import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
 import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
 import { designLike, pageKeeping } from "./keeping.mjs";
@@ -481,7 +482,12 @@ export function start(report, solver, kept = null, written = null) {
     state.ownView = false;
     fitting = null;
     const rows = someRows();
+    const gears = anatomy && rows.length > 0 ? gearsAt(sweep, anatomy, rows[0].pose).gears : [];
+    const round = gears.flatMap(({ centre: [x, y], radius }) =>
+      [-1.1, 1.1].map((way) => [x + way * radius, y + way * radius]),
+    );
     const points = rows.flatMap(({ pose }) => [
+      ...round,
       ...pose.joints,
       ...state.followed.map((followed) => coordinatesOf(model, followed, pose.joints)),
     ]);

@@ -5,9 +5,11 @@ import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { arcOfDrive, arrowHead, belowOf, BLOCK, blockOf, footOf, hatch, hull, unitOf } from "./notation.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
+import { gearsAt } from "./kinematics/gears.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
 import { ROUNDING } from "./kinematics/tolerances.mjs";
 import { pool } from "./pool.mjs";
+import { rackOf, teethOf } from "./teeth.mjs";
 import { flat, isTurned, onPage } from "./view.mjs";
 
 const LAYERS = [
@@ -16,6 +18,7 @@ const LAYERS = [
   "ghosts",
   "reference",
   "ground",
+  "gears",
   "bodies",
   "sliders",
   "pins",
@@ -75,6 +78,7 @@ export function createPicture(svg, model) {
       ghosts(layers.ghosts, model, scene);
       outlines(layers.reference, model, scene, scene.reference);
       ground(layers.ground, model, scene, joints, room);
+      gears(layers.gears, scene);
       bodies(layers.bodies, layers.hits, model, scene, joints, room);
       sliders(layers.sliders, model, scene, joints, room);
       pins(layers.pins, model, scene, joints, room);
@@ -293,11 +297,38 @@ function directionOf(model, scene, slide) {
   return unitOf([0, 0], flat(scene.view, scene.pose.slides[slide]));
 }
 
+/** Gears and racks in the colours of their bodies. */
+function gears(layer, { sweep, anatomy, pose, view, free }) {
+  layer.begin();
+  const found = gearsAt(sweep, anatomy, pose);
+  const shapes = [
+    ...found.gears.map((gear) => [gear.body, teethOf(gear)]),
+    ...found.racks.map((rack) => [rack.body, [rackOf(rack)]]),
+  ];
+  for (const [body, lines] of shapes) {
+    const d = lines
+      .map((points) =>
+        line(
+          points.map((point) => onPage(view, point)),
+          true,
+        ),
+      )
+      .join("");
+    const faded = free === null || free === body ? "" : " faded";
+    layer.add("path", { d, class: `gear ${body === null ? "plain" : colourOf(anatomy, body)}${faded}` });
+  }
+  layer.end();
+}
+
+function colourOf({ driven, colours }, body) {
+  return driven[body] ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
+}
+
 function bodies(layer, hits, model, scene, joints, room) {
   layer.begin();
   hits.begin();
   model.outline.bodies.forEach((_, body) => {
-    const { driven, colours } = scene.anatomy;
+    const { driven } = scene.anatomy;
     const corners = cornersOf(model, scene, body, joints, scene.pose);
     const cylinder = model.outline.slides.some(
       ({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide),
@@ -306,7 +337,7 @@ function bodies(layer, hits, model, scene, joints, room) {
     const shifted = model.outline.slides.some(
       ({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide],
     );
-    const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
+    const colour = shifted ? "driven" : colourOf(scene.anatomy, body);
     const d = line(outer, outer.length > 2);
     const faded = scene.free === null || scene.free === body ? "" : " faded";
     if (cylinder && outer.length === 2) {
