@@ -950,13 +950,14 @@ export function start(report, solver, kept = null, written = null) {
     const isPlotted = ({ column }) => plots.includes(column);
     const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
     state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
-    const isChosen = model.quantities.some(({ declared, isInput }) => !isInput && !plots.includes(declared));
-    if (plots.length > 0 && isChosen) {
+    if (plots.length > 0) {
       const others = groups.flatMap(({ curves }) =>
         curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
       );
       others.forEach(({ name }) => state.hidden.add(name));
-    } else {
+    }
+    // unless somebody chose them
+    if (model.quantities.every(({ declared, isInput }) => isInput || plots.includes(declared))) {
       straightNames(sweep).forEach((name) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;

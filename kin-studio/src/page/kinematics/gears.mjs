@@ -59,7 +59,10 @@ function contactsOf(sweep, anatomy) {
 function pairsOf(sweep, { fixed, drivers }) {
   const { model } = sweep;
   const rows = innerRows(sweep);
-  const steps = [0.1, 0.3, 0.45, 0.6, 0.8].map((part) => Math.floor(part * (rows.length - 2))).filter((at) => at >= 0);
+  if (rows.length < 2) {
+    return [];
+  }
+  const steps = [0.1, 0.3, 0.45, 0.6, 0.8].map((part) => Math.floor(part * (rows.length - 2)));
   const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
   const pivots = model.outline.bodies.flatMap(({ joints }, body) => {
     const pivot = joints.find((joint) => fixed[joint]);
