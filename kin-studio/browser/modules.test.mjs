@@ -26,7 +26,7 @@ import { hull } from "../src/page/notation.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/kinematics/rates.mjs";
 import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";
-import { allRows, createSweep, movedInput, rowAt, rowBefore } from "../src/page/kinematics/sweep.mjs";
+import { allRows, createSweep, movedInput, rowAt, rowBefore, straightNames } from "../src/page/kinematics/sweep.mjs";
 import { poorTransmission } from "../src/page/kinematics/transmission.mjs";
 import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
 import { poseText } from "../src/page/words.mjs";
@@ -136,6 +136,17 @@ test("Taylor polynomials lead from pose to pose", () => {
   const other = solveAt(model, design, 1.01, 1).pose;
   // the rest of the series is below (0.01)^5 times the size of the motion
   assert.ok(Math.abs(movedOn(one.s, 0.01 / design.speed) - other.s[0]) < 100 * 0.01 ** 5);
+});
+
+test("what moves in proportion to the input squashes the others, unless it is alone", () => {
+  const { sweep } = prepared();
+  assert.deepEqual(straightNames(sweep), []);
+  const [s] = sweep.model.quantities;
+  const quantities = [{ ...s, name: "gear" }, s];
+  const scales = [[3, 1, 1e-13, 0, 1e-12], sweep.scales[0]];
+  const of = (all) => straightNames({ ...sweep, model: { ...sweep.model, quantities: all }, scales });
+  assert.deepEqual(of(quantities), ["gear"]);
+  assert.deepEqual(of(quantities.slice(0, 1)), []);
 });
 
 test("a whole revolution is one stretch, and passes from its end to its beginning", () => {

@@ -400,7 +400,7 @@ test("A stays as a reference beside B, and they are exchanged", () =>
     await page.fill('input[aria-label="r₃, as a number"]', String(1.1 * given));
     await settle(page);
     assert.ok((await page.locator("#plots .reference").count()) >= 5);
-    assert.equal(await page.locator("#picture .trail.reference").count(), 1);
+    assert.equal(await page.locator("#picture .trails .reference").count(), 1);
     assert.match(await page.textContent("#picture .names"), /A/);
     // both peaks stand side by side, those of A as the report has them
     await page.waitForSelector("#comparison:not([hidden])");

@@ -942,22 +942,26 @@ export function start(report, solver, kept = null, written = null) {
     if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }
-    const [first] = sweep.spans;
+    const [span] = sweep.spans;
     const begin = given.speed < 0 && !(model.period > 0) ? model.to : model.from;
     // not at a limit, where rates are unbounded
-    state.x = spanAt(sweep, begin) || !first ? begin : 0.5 * (first.from + first.to);
+    state.x = spanAt(sweep, begin) || !span ? begin : 0.5 * (span.from + span.to);
     const plots = report.plots ?? [];
     const isPlotted = ({ column }) => plots.includes(column);
+    const isChosen = model.quantities.some(({ declared, isInput }) => !isInput && !plots.includes(declared));
     const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
-    state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
+    // who drives a slide on the ground asks for its stroke
+    const strokes = model.outline.slides.some(({ guide }) => guide === null) && !isChosen;
+    const ofStroke = strokes && model.unknowns.some(({ dimension }) => dimension === "length") ? "length" : "";
+    const first = groups.find(({ name }) => name === ofStroke) ?? groups.find(hasAny) ?? groups[0];
+    state.group = first?.name ?? "number";
     if (plots.length > 0) {
       const others = groups.flatMap(({ curves }) =>
         curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
       );
       others.forEach(({ name }) => state.hidden.add(name));
     }
-    // unless somebody chose them
-    if (model.quantities.every(({ declared, isInput }) => isInput || plots.includes(declared))) {
+    if (!isChosen) {
       straightNames(sweep).forEach((name) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;

@@ -21,6 +21,7 @@ const LAYERS = [
   "gears",
   "bodies",
   "sliders",
+  "over",
   "pins",
   "marks",
   "arrows",
@@ -71,7 +72,7 @@ export function createPicture(svg, model) {
         still = scene.still;
         kept = createRoom(scene.width, scene.height);
         grid(layers.grid, model, scene, kept);
-        trails(layers.trails, scene, kept);
+        trails(layers.trails, layers.over, scene, kept);
       }
       room.lines.push(...kept.lines);
       room.boxes.push(...kept.boxes);
@@ -133,15 +134,20 @@ function gridStep(scale) {
   return marks.length > 1 ? marks[1] : 1 / scale;
 }
 
-function trails(layer, { view, trails: all }, room) {
+/** Paths below the links, and faintly above them, where they would be hidden. */
+function trails(layer, over, { view, trails: all }, room) {
   layer.begin();
+  over.begin();
   for (const { points, colour, closed } of all()) {
     const seen = points.map((point) => onPage(view, point));
-    layer.add("path", { d: line(seen, closed), class: `trail ${colour}` });
+    const d = line(seen, closed);
+    layer.add("path", { d, class: `trail ${colour}` });
+    over.add("path", { d, class: `trail over ${colour}` });
     const sparse = seen.filter((_, index) => index % 12 === 0);
     keepLines(room, sparse, 1.5);
   }
   layer.end();
+  over.end();
 }
 
 /** Another pose as thin lines. */
