@@ -737,6 +737,29 @@ test("a newer form of report is refused with both numbers", () =>
     },
   ));
 
+test("gears are drawn below the links, and grow with the dimension that is their radius", () =>
+  withPage(
+    addressOf("four_bar", (report) => {
+      withForces(report);
+      const [first, last] = [0, report.outline.bodies.length - 1];
+      const pivot = report.outline.bodies[last].joints.find((joint) => report.outline.ground.includes(joint));
+      const circles = [
+        { body: first, centre: { fixed: [0, 0] }, radius: 30, dimension: "r2" },
+        { body: last, centre: { joint: pivot }, radius: 60, dimension: null },
+      ];
+      report.forces.contacts = [{ circles, rack: null }];
+    }),
+    async (page) => {
+      const corners = () =>
+        page.$$eval("#picture .gear", (all) => all.map((gear) => gear.getAttribute("d").match(/[ML]/g).length / 4));
+      assert.deepEqual(await corners(), [18, 36]);
+      await page.click("#open-dimensions");
+      await page.fill('input[aria-label="r₂, as a number"]', "20");
+      await settle(page);
+      assert.deepEqual(await corners(), [18, 54]);
+    },
+  ));
+
 /** The four-bar with forces: that of its knee on the coupler, and one of the ground. */
 function withForces(report) {
   const samples = [...Array(181).keys()].map((index) => (report.range[1] * index) / 180);
