@@ -72,8 +72,8 @@ const HODOGRAPHS = 0.52;
 /**
  * Starts the page.
  *
- * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it, or with the design
- *   that a saved page has
+ * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it, or with the
+ *   design that a saved page has
  * @param {HTMLElement | null} written the page before this script changed it, if it can be saved
  * @returns {{keep: () => object, design: () => {name: string, dimension: string, value: number}[]} | null} the view of
  *   the page, and the dimensions and standing inputs that it shows by their declared names

@@ -6,8 +6,8 @@ import { allRows, valueAt } from "./kinematics/sweep.mjs";
 
 /** The properties of a drawn element that a style sheet sets. */
 const STYLED = (
-  "fill fill-opacity fill-rule stroke stroke-width stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity opacity " +
-  "font-size font-family font-style font-weight text-anchor"
+  "fill fill-opacity fill-rule stroke stroke-width stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity " +
+  "opacity font-size font-family font-style font-weight text-anchor"
 ).split(" ");
 
 /** All poses of a sweep as comma-separated values, every number with all its digits. */

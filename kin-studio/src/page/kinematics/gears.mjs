@@ -1,4 +1,4 @@
-/** Gears and racks: pitch circles as loads state them, or of bodies that turn against each other in a constant ratio. */
+/** Gears and racks: as loads state them, or for bodies that turn against each other in a constant ratio. */
 import { angleOf } from "./anatomy.mjs";
 import { allRows, innerRows } from "./sweep.mjs";
 import { DESCRIBES } from "./tolerances.mjs";
@@ -146,7 +146,7 @@ function placed(model, { circles, rack, range }, pose, found) {
   return { body: rack.body, from: point(low), to: point(high), along, up, first, pitch };
 }
 
-/** The teeth for each unit of radius: those of a gear that is there, or so many that both gears have whole numbers. */
+/** The teeth for each unit of radius: those of a gear that has them, or so many that both have whole numbers. */
 function densityOf(radii, there) {
   const gear = there.find(Boolean);
   if (gear) {
@@ -160,8 +160,8 @@ function densityOf(radii, there) {
 }
 
 /**
- * The pitch line of a rack: its direction, counterclockwise about the gear; the direction of its teeth, to the gear; the
- * pitch point; and how far this lies along the rack from its body's first joint.
+ * The pitch line of a rack: its direction, counterclockwise about the gear; the direction of its teeth, to the gear;
+ * the pitch point; and how far this lies along the rack from its body's first joint.
  */
 function lineOf(model, { circles: [circle], rack }, pose) {
   const centre = placeOf(circle.centre, pose);
