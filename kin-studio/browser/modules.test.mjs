@@ -14,6 +14,11 @@ import { kindText, marksOf, stopText } from "../src/page/kinematics/marks.mjs";
 import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, FORMAT, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/kinematics/model.mjs";
 import { nearestInput } from "../src/page/kinematics/nearest.mjs";
+import { acrossOf, groundAxes } from "../src/page/kinematics/axes.mjs";
+import { gearsAt } from "../src/page/kinematics/gears.mjs";
+import { rackOf, teethOf } from "../src/page/teeth.mjs";
+import { axisOf, sharedPower, unitWithPower } from "../src/page/axes.mjs";
+import { placeOfReadout, readoutsOf } from "../src/page/readouts.mjs";
 import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
 import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
 import { givenPeaks, ownPeaks } from "../src/page/kinematics/peaks.mjs";
@@ -21,7 +26,7 @@ import { hull } from "../src/page/notation.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/kinematics/rates.mjs";
 import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";
-import { allRows, createSweep, movedInput, rowAt, rowBefore } from "../src/page/kinematics/sweep.mjs";
+import { allRows, createSweep, movedInput, rowAt, rowBefore, straightNames } from "../src/page/kinematics/sweep.mjs";
 import { poorTransmission } from "../src/page/kinematics/transmission.mjs";
 import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
 import { poseText } from "../src/page/words.mjs";
@@ -82,6 +87,40 @@ test("ticks are round, and parts of a revolution in degrees", () => {
   assert.deepEqual(ticks(1, 1, 5), []);
 });
 
+test("an axis ends before few values that are far larger than the rest, and tells how far they go", () => {
+  const wave = [...Array(200).keys()].map((step) => Math.sin(step / 10));
+  const quiet = axisOf(wave, 1);
+  assert.deepEqual([quiet.above, quiet.below], [null, null]);
+  assert.ok(quiet.low < -1 && quiet.low > -1.3 && quiet.high > 1 && quiet.high < 1.3);
+  const singular = axisOf([...wave, 1e18, -3e9], 1);
+  assert.deepEqual([singular.above, singular.below], [1e18, -3e9]);
+  assert.ok(singular.low < -1 && singular.high > 1 && singular.high - singular.low < 20);
+  // a peak that can be read beside the rest is no singularity
+  assert.equal(axisOf([...wave, 100], 1).above, null);
+  // a short move between rests keeps its peak
+  assert.equal(axisOf([...Array(200).fill(0), 5, 40, 5], 1).above, null);
+});
+
+test("what changes by rounding alone is a straight line", () => {
+  const { low, high } = axisOf([1e-13, -2e-14, 3e-15], 90);
+  assert.ok(high - low > 1 && low < 0 && high > 0);
+});
+
+test("numbers of an axis share a power of ten", () => {
+  assert.deepEqual([[0, 20000], [5e-4], [2e7, -3e6], [0]].map(sharedPower), [0, -6, 6, 0]);
+  assert.deepEqual([unitWithPower("mm", 6), unitWithPower("", -3), unitWithPower("°", 0)], ["10⁶ mm", "10⁻³", "°"]);
+});
+
+test("values stand beside the title, in lines with their names, or without names", () => {
+  const names = (count) => [...Array(count).keys()].map((index) => `angle_${index}`);
+  assert.equal(readoutsOf(names(1), 320, 130).columns, 0);
+  const six = readoutsOf(names(6), 390, 130);
+  assert.deepEqual([six.named, six.columns, six.count], [true, 3, 6]);
+  assert.deepEqual(placeOfReadout(six, 4), [130, 26]);
+  const narrow = readoutsOf(names(6), 195, 90);
+  assert.ok(!narrow.named && narrow.count >= 4);
+});
+
 test("a newer report is refused with both numbers", () => {
   assert.equal(reasonToRefuse(reportOf()), "");
   const reason = reasonToRefuse(reportOf({ format: 7 }));
@@ -97,6 +136,17 @@ test("Taylor polynomials lead from pose to pose", () => {
   const other = solveAt(model, design, 1.01, 1).pose;
   // the rest of the series is below (0.01)^5 times the size of the motion
   assert.ok(Math.abs(movedOn(one.s, 0.01 / design.speed) - other.s[0]) < 100 * 0.01 ** 5);
+});
+
+test("what moves in proportion to the input squashes the others, unless it is alone", () => {
+  const { sweep } = prepared();
+  assert.deepEqual(straightNames(sweep), []);
+  const [s] = sweep.model.quantities;
+  const quantities = [{ ...s, name: "gear" }, s];
+  const scales = [[3, 1, 1e-13, 0, 1e-12], sweep.scales[0]];
+  const of = (all) => straightNames({ ...sweep, model: { ...sweep.model, quantities: all }, scales });
+  assert.deepEqual(of(quantities), ["gear"]);
+  assert.deepEqual(of(quantities.slice(0, 1)), []);
 });
 
 test("a whole revolution is one stretch, and passes from its end to its beginning", () => {
@@ -286,6 +336,100 @@ test("hulls are convex, and lines have two ends", () => {
     ],
   );
   assert.equal(hull([[1, 1]]).length, 1);
+});
+
+test("a body of space turns about the normal of its path, along its shaft, or about a point", () => {
+  const turned = (angle) => [Math.cos(angle), Math.sin(angle), 0.5];
+  const poses = [0, 0.3, 0.9, 2].map((angle) => ({
+    joints: [[0, 0, 0.5], turned(angle), [2, 0, 0], [2, 0, 3], [4, 0, 0], [4 + angle, angle ** 2, angle ** 3]],
+  }));
+  const outline = { ground: [0, 2, 3, 4], bodies: [{ joints: [0, 1] }, { joints: [2, 3, 1] }, { joints: [5, 4] }] };
+  const axes = groundAxes({ outline }, poses, 3);
+  assert.deepEqual(
+    axes.map((axis) => axis && axis.map((value) => Math.abs(value))),
+    [[0, 0, 1], null, [0, 0, 1], [0, 0, 1], null, null],
+  );
+  for (const direction of acrossOf([0.6, 0, 0.8])) {
+    assert.ok(Math.abs(direction[0] * 0.6 + direction[2] * 0.8) < 1e-15);
+    assert.ok(Math.abs(Math.hypot(...direction) - 1) < 1e-15);
+  }
+});
+
+/** A gear on the ground and a wheel that rolls on it: outside, inside, or both as a rack. */
+function rolling({ radii: [one, other], centre, rack = null, turn }) {
+  const outline = {
+    ground: [0, 2],
+    bodies: [{ joints: [0, 1] }, { joints: [2, 3] }, { joints: [4] }],
+    slides: [{ joint: 4, guide: null }],
+  };
+  const forces = {
+    contacts: [
+      {
+        circles: [
+          { body: 0, centre: { fixed: [0, 0] }, radius: one, dimension: null },
+          ...(rack ? [] : [{ body: 1, centre: { joint: 2 }, radius: other, dimension: "r" }]),
+        ],
+        rack,
+      },
+    ],
+  };
+  const poseAt = (angle) => ({
+    joints: [
+      [0, 0],
+      [Math.cos(angle), Math.sin(angle)],
+      [centre, 0],
+      [centre + Math.cos(turn * angle), Math.sin(turn * angle)],
+      [one, 5 + one * angle],
+    ],
+    slides: [[0, 1]],
+  });
+  const angles = [0, 0.1, 0.2, 0.3];
+  const model = { space: false, outline, report: { forces }, parameters: [{ declared: "r", name: "r" }] };
+  const rows = angles.map((angle) => ({ x: angle, pose: poseAt(angle) }));
+  const sweep = {
+    model,
+    design: { parameters: { r: other } },
+    spans: [{ from: 0, to: 0.3, rows }],
+    gaps: [],
+    full: true,
+  };
+  return rows.map(({ pose }) => gearsAt(sweep, { fixed: [], drivers: [] }, pose));
+}
+
+test("teeth mesh: at the pitch point a tooth stands in a gap, and teeth turn with their bodies", () => {
+  const cases = [
+    { radii: [2, 5], centre: 7, turn: -2 / 5, isInside: false },
+    { radii: [2, 5], centre: -3, turn: 2 / 5, isInside: true },
+    { radii: [5, 2], centre: 3, turn: 5 / 2, isInside: true },
+  ];
+  for (const { isInside, ...one } of cases) {
+    const poses = rolling(one);
+    for (const { gears } of poses) {
+      const [first, second] = gears;
+      assert.ok(Math.abs(first.teeth / second.teeth - one.radii[0] / one.radii[1]) < 1e-12);
+      assert.equal(first.isRing || second.isRing, isInside);
+      const small = one.radii[0] < one.radii[1] ? first : second;
+      const large = small === first ? second : first;
+      const way = small.centre[0] - large.centre[0] > 0 ? 0 : Math.PI;
+      const part = (gear, direction) => (gear.teeth * (direction - gear.phase)) / (2 * Math.PI);
+      const sum = part(large, way) + (isInside ? -1 : 1) * part(small, isInside ? way : way + Math.PI);
+      assert.ok(Math.abs(Math.abs(sum - Math.round(sum)) - 0.5) < 1e-9, `${sum}`);
+    }
+    const [before, after] = poses.map(({ gears }) => gears[1].phase);
+    assert.ok(Math.abs(after - before - 0.1 * one.turn) < 1e-9);
+  }
+  const ring = teethOf(rolling(cases[1])[0].gears[1]);
+  assert.equal(ring.length, 2);
+});
+
+test("a rack moves with its body below its gear", () => {
+  const rack = { body: 2, along: [0, -3] };
+  const [before, after] = rolling({ radii: [2, 1], centre: 9, rack, turn: 1 }).map(({ racks }) => racks[0]);
+  const moved = rackOf(after).map(([x, y], index) => [x - rackOf(before)[index][0], y - rackOf(before)[index][1]]);
+  assert.ok(moved.length > 8 && moved.every(([x, y]) => Math.abs(x) < 1e-9 && Math.abs(y - 0.2) < 1e-9));
+  // the gear's pitch point is on the right, and the teeth point to the gear
+  assert.ok(Math.abs(before.up[0] + 1) < 1e-9);
+  assert.ok(Math.abs(before.from[0] - 2) < 1e-9);
 });
 
 test("names avoid lines, other names and the edge", () => {

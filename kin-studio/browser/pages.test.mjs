@@ -400,12 +400,154 @@ test("A stays as a reference beside B, and they are exchanged", () =>
     await page.fill('input[aria-label="r₃, as a number"]', String(1.1 * given));
     await settle(page);
     assert.ok((await page.locator("#plots .reference").count()) >= 5);
+    assert.equal(await page.locator("#picture .trails .reference").count(), 1);
+    assert.match(await page.textContent("#picture .names"), /A/);
+    // both peaks stand side by side, those of A as the report has them
+    await page.waitForSelector("#comparison:not([hidden])");
+    assert.match(await page.textContent("#comparison"), /r₃ 80 → 88 \(\+10 %\)/);
+    const highest = reportOf("four_bar").extremes.find(
+      ({ quantity, order, kind }) => quantity === "theta4" && order === 2 && kind === "highest",
+    );
+    const shown = await page.textContent("#comparison tbody tr:nth-child(8) td:nth-child(3)");
+    assert.equal(shown, `${((highest.value * 180) / Math.PI).toPrecision(6)}°/s²`);
     await page.click("#swap");
     await settle(page);
     assert.equal(Number(await page.inputValue('input[aria-label="r₃, as a number"]')), given);
     await page.click("#drop");
     await settle(page);
     assert.equal(await page.locator("#plots .reference").count(), 0);
+    await page.waitForSelector("#comparison", { state: "hidden" });
+  }));
+
+/** The ends of the links on the screen, as fractions of the picture. */
+function endsOfLinks(page) {
+  return page.evaluate(() => {
+    const { width, height } = document.querySelector("#picture").getBoundingClientRect();
+    const all = [...document.querySelectorAll("#picture .bar")].map((bar) => bar.getAttribute("d"));
+    const numbers = all.flatMap((data) => data.match(/-?[\d.]+/g).map(Number));
+    return numbers.map((value, index) => value / (index % 2 === 0 ? width : height));
+  });
+}
+
+test("the picture is fitted again when a dimension moves links out of it, unless the reader chose the view", () =>
+  withPage(addressOf("four_bar"), async (page) => {
+    await page.click("#open-dimensions");
+    await settle(page);
+    const scale = () => page.textContent("#picture .grid text");
+    const before = await scale();
+    const set = (name, value) => page.fill(`input[aria-label="${name}, as a number"]`, String(value));
+    // a change that the picture holds moves nothing but links
+    await set("r₃", 78);
+    await page.waitForTimeout(250);
+    assert.equal(await scale(), before);
+    await set("r₃", 160);
+    await set("r₄", 170);
+    assert.ok((await endsOfLinks(page)).some((part) => part < 0 || part > 1));
+    await page.waitForTimeout(250);
+    assert.ok((await endsOfLinks(page)).every((part) => part >= 0 && part <= 1));
+    const box = await page.locator("#picture").boundingBox();
+    await page.mouse.move(box.x + 8, box.y + 8);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 20, box.y + 8, { steps: 2 });
+    await page.mouse.up();
+    await set("r₃", 300);
+    await set("r₄", 310);
+    await page.waitForTimeout(250);
+    assert.ok((await endsOfLinks(page)).some((part) => part < 0 || part > 1));
+  }));
+
+test("next to a singular position the axes end where curves can be read, and say how far they go", () =>
+  withPage(
+    addressOf("inverted_slider_crank", (report) => {
+      report.parameters[1].value = report.parameters[0].value * 1.0000001;
+      Object.assign(report, { cycle: null, extremes: [], rms: [], transmission: null, sensitivities: [] });
+    }),
+    async (page) => {
+      const beyond = await page.locator("#plots .beyond").allTextContents();
+      assert.ok(beyond.length >= 2 && beyond.some((text) => /^↑ up to .*×10/.test(text)), beyond.join());
+      const labels = await page.locator("#plots .quiet.end:not(.beyond)").allTextContents();
+      assert.ok(
+        labels.every((text) => text.length < 7 || /^[^0-9]/.test(text)),
+        labels.join(),
+      );
+    },
+  ));
+
+test("a page is saved with notes, dimensions and A, and opens as it was left", () =>
+  withPage(addressOf("four_bar"), async (page) => {
+    const words = 'r₃ is the one to change </script><b id="evil">\nsecond line';
+    await page.fill("#notes", words);
+    await page.click("#open-dimensions");
+    await page.click("#keep");
+    await page.fill('input[aria-label="r₃, as a number"]', "85");
+    await page.selectOption("#assembly", { index: 1 });
+    await page.uncheck("#show-names");
+    await settle(page);
+    const path = join(scratch, "kept.html");
+    writeFileSync(path, await saved(page, "#save-page"));
+    const twice = join(scratch, "kept-twice.html");
+    await withPage(pathToFileURL(path).href, async (again) => {
+      assert.equal(await again.inputValue("#notes"), words);
+      assert.equal(await again.locator("#evil").count(), 0);
+      assert.equal(await again.inputValue('input[aria-label="r₃, as a number"]'), "85");
+      assert.equal(await again.inputValue("#assembly"), "1");
+      assert.equal(await again.isChecked("#show-names"), false);
+      assert.ok((await again.locator("#plots .reference").count()) >= 5);
+      await again.emulateMedia({ media: "print" });
+      assert.equal(await again.locator("#notes").isVisible(), false);
+      assert.equal(await again.textContent(".printed"), words);
+      assert.ok(await again.locator(".printed").isVisible());
+      await again.emulateMedia({ media: "screen" });
+      await again.fill("#notes", "shorter");
+      writeFileSync(twice, await saved(again, "#save-page"));
+    });
+    await withPage(pathToFileURL(twice).href, async (again) => {
+      assert.equal(await again.inputValue("#notes"), "shorter");
+    });
+    const { notes } = await saved(page, "#save-json").then(JSON.parse);
+    assert.equal(notes, words);
+  }));
+
+test("a moving picture is one file that moves by itself as the page does", () =>
+  withPage(addressOf("four_bar"), async (page) => {
+    const seen = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll("#picture .bar")].map((bar) =>
+          bar
+            .getAttribute("d")
+            .match(/-?[\d.]+/g)
+            .map(Number),
+        ),
+      );
+    const before = await inputNow(page);
+    const file = join(scratch, "moving.svg");
+    writeFileSync(file, await saved(page, "#save-animation"));
+    assert.equal(await inputNow(page), before);
+    await page.focus("#scrubber");
+    for (let step = 0; step < 9; step += 1) {
+      await page.keyboard.press("Shift+ArrowRight");
+    }
+    await settle(page);
+    const expected = await seen();
+    const width = (reportOf("four_bar").range[1] - reportOf("four_bar").range[0]) / reportOf("four_bar").speed;
+    await withPage(pathToFileURL(file).href, async (picture) => {
+      // a quarter of the revolution
+      const paths = await picture.evaluate((seconds) => {
+        const root = document.documentElement;
+        root.pauseAnimations();
+        root.setCurrentTime(seconds);
+        const bars = [...document.querySelectorAll("path")].filter(
+          (one) => one.getAttribute("stroke-width") === "7.6px",
+        );
+        return bars.map((bar) =>
+          getComputedStyle(bar)
+            .d.match(/-?[\d.]+/g)
+            .map(Number),
+        );
+      }, width / 4);
+      assert.equal(paths.length, expected.length);
+      paths.flat().forEach((value, index) => assert.ok(Math.abs(value - expected.flat()[index]) < 0.3));
+    });
   }));
 
 test("degrees become radians everywhere", () =>
@@ -481,6 +623,10 @@ test("a mechanism of space turns under the pointer, and its links are dragged", 
     const seen = () =>
       page.evaluate(() => [...document.querySelectorAll("#picture .bar")].map((bar) => bar.getAttribute("d")).join());
     const box = await page.locator("#picture").boundingBox();
+    assert.equal(await page.locator("#picture .axis").count(), 2);
+    assert.equal(await page.locator("#picture .ground-link").count(), 1);
+    const hint = "Drag beside the links to turn the view";
+    assert.ok((await page.textContent("#picture .grid")).includes(hint));
     const [before, input] = [await seen(), await inputNow(page)];
     await page.mouse.move(box.x + 8, box.y + 8);
     await page.mouse.down();
@@ -489,6 +635,7 @@ test("a mechanism of space turns under the pointer, and its links are dragged", 
     await settle(page);
     assert.notEqual(await seen(), before);
     assert.equal(await inputNow(page), input);
+    assert.equal(await page.locator("#picture .grid text:not([display])", { hasText: hint }).count(), 0);
     const { arm } = await crank(page);
     await page.mouse.move(...arm);
     await page.mouse.down();
@@ -590,6 +737,29 @@ test("a newer form of report is refused with both numbers", () =>
     },
   ));
 
+test("gears are drawn below the links, and grow with the dimension that is their radius", () =>
+  withPage(
+    addressOf("four_bar", (report) => {
+      withForces(report);
+      const [first, last] = [0, report.outline.bodies.length - 1];
+      const pivot = report.outline.bodies[last].joints.find((joint) => report.outline.ground.includes(joint));
+      const circles = [
+        { body: first, centre: { fixed: [0, 0] }, radius: 30, dimension: "r2" },
+        { body: last, centre: { joint: pivot }, radius: 60, dimension: null },
+      ];
+      report.forces.contacts = [{ circles, rack: null }];
+    }),
+    async (page) => {
+      const corners = () =>
+        page.$$eval("#picture .gear", (all) => all.map((gear) => gear.getAttribute("d").match(/[ML]/g).length / 4));
+      assert.deepEqual(await corners(), [18, 36]);
+      await page.click("#open-dimensions");
+      await page.fill('input[aria-label="r₂, as a number"]', "20");
+      await settle(page);
+      assert.deepEqual(await corners(), [18, 54]);
+    },
+  ));
+
 /** The four-bar with forces: that of its knee on the coupler, and one of the ground. */
 function withForces(report) {
   const samples = [...Array(181).keys()].map((index) => (report.range[1] * index) / 180);
@@ -683,10 +853,22 @@ test("axe finds no serious fault in light, dark and on a phone", async (t) => {
   }
 });
 
-test("nothing is wider than a phone", () =>
+test("on a phone nothing is too wide, boxes are large enough for a finger, and all values have their names", () =>
   withPage(
-    addressOf("four_bar"),
+    addressOf("jansen_leg"),
     async (page) => {
+      const boxes = await page
+        .locator("#options label, #plot-options label")
+        .evaluateAll((all) =>
+          all.map((one) => one.getBoundingClientRect()).map(({ width, height }) => [width, height]),
+        );
+      assert.ok(boxes.length > 6 && boxes.every(([wide, high]) => wide >= 44 && high >= 44), boxes.join(" "));
+      const values = await page.locator("#plots .plot-values.small").allTextContents();
+      assert.equal(values.length, 6 * 5);
+      assert.ok(
+        values.every((text) => /^●angle_[a-z] −?\d/.test(text)),
+        values.slice(0, 6).join(),
+      );
       const width = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(width <= PHONE.width, `${width} pixels`);
     },

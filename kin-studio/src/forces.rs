@@ -86,7 +86,7 @@ impl StatedPlace {
 
 impl StatedRadius {
     /// In the unit of lengths. What is no dimension has no radius.
-    fn own(&self, linkage: &AnyLinkage<'_>, metres: f64) -> f64 {
+    pub(crate) fn own(&self, linkage: &AnyLinkage<'_>, metres: f64) -> f64 {
         let name = match self {
             Self::Metres(radius) => return radius / metres,
             Self::Dimension(name) => name,

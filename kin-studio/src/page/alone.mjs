@@ -1,5 +1,7 @@
 /** The page of one report, whose data and whose solver stand before this script. */
 import { part } from "./elements.mjs";
+import { keptState, pageAsWritten } from "./keeping.mjs";
 import { start } from "./main.mjs";
 
-start(JSON.parse(part("report").textContent), kinSolver);
+const written = pageAsWritten();
+start(JSON.parse(part("report").textContent), kinSolver, keptState(), written);

@@ -1,4 +1,5 @@
 /** The page: what is shown, and what happens when a reader acts. */
+import { movingPicture } from "./animation.mjs";
 import { curvesOf } from "./curves.mjs";
 import { createSliders } from "./dimensions.mjs";
 import { button, change, choice, made, part, setText, tick } from "./elements.mjs";
@@ -8,8 +9,10 @@ import { createHodographs } from "./hodographs.mjs";
 import { anatomyOf, coordinatesOf } from "./kinematics/anatomy.mjs";
 import { motionOf } from "./kinematics/drive.mjs";
 import { scalesOfForces } from "./kinematics/forces.mjs";
+import { gearsAt } from "./kinematics/gears.mjs";
 import { inputText, marksOf, stopText } from "./kinematics/marks.mjs";
 import { blockText, createModel, givenDesign, reasonToRefuse } from "./kinematics/model.mjs";
+import { designLike, pageKeeping } from "./keeping.mjs";
 import { nearestInput } from "./kinematics/nearest.mjs";
 import { givenPeaks, ownPeaks } from "./kinematics/peaks.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "./kinematics/rates.mjs";
@@ -23,6 +26,7 @@ import {
   rowAt,
   sizeOf,
   spanAt,
+  straightNames,
   valueAt,
 } from "./kinematics/sweep.mjs";
 import { BESIDE_LIMIT, PARTS } from "./kinematics/tolerances.mjs";
@@ -35,7 +39,7 @@ import { createPlots } from "./plots.mjs";
 import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { createView, fitView, flat, onPage } from "./view.mjs";
+import { createView, fitView, flat, moveView, onPage, seesAll } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
 /** The options of the picture: their words, and whether they are shown at first. */
@@ -56,6 +60,10 @@ const PRINTED = [
   [269, 453],
 ];
 const ARROWS = ["velocity", "acceleration", "jerk"];
+/** The time in which the picture is fitted again, in seconds. */
+const FITTING = 0.35;
+/** The frames of a moving picture from one end of its motion to the other. */
+const FRAMES = 90;
 /** The length of the arrow of the largest force, as a part of the picture. */
 const LONGEST_FORCE = 0.24;
 /** The part of the plots that the paths of force vectors take. */
@@ -64,11 +72,13 @@ const HODOGRAPHS = 0.52;
 /**
  * Starts the page.
  *
- * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it
+ * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it, or with the
+ *   design that a saved page has
+ * @param {HTMLElement | null} written the page before this script changed it, if it can be saved
  * @returns {{keep: () => object, design: () => {name: string, dimension: string, value: number}[]} | null} the view of
  *   the page, and the dimensions and standing inputs that it shows by their declared names
  */
-export function start(report, solver, kept = null) {
+export function start(report, solver, kept = null, written = null) {
   const refusal = reasonToRefuse(report);
   if (refusal) {
     refuse(report, refusal);
@@ -98,6 +108,8 @@ export function start(report, solver, kept = null) {
     forward: 1,
     held: 0,
     followed: [],
+    ownView: false,
+    changed: false,
     size: [0, 0],
     plotSize: [0, 0],
     printing: false,
@@ -110,6 +122,9 @@ export function start(report, solver, kept = null) {
     state.degrees = kept.degrees;
     const same = report.assemblies.findIndex(({ name }) => name === kept.assembly);
     state.assembly = same < 0 || !kept.chosen ? state.assembly : same;
+    if (kept.design) {
+      state.design = designLike(given, kept.design);
+    }
   }
   const view = createView(model.space);
   let sweep = createSweep(model, state.design, assemblyNow());
@@ -123,6 +138,7 @@ export function start(report, solver, kept = null) {
   let version = 0;
   let redrawn = true;
   let framed = false;
+  let fitting = null;
   const picture = createPicture(part("picture"), model);
   const plots = createPlots(part("plots"), model);
   const hodographs = createHodographs(part("plots"), model);
@@ -130,8 +146,16 @@ export function start(report, solver, kept = null) {
   const first = allRows(sweep)[0];
   const forceScales = report.forces && first ? scalesOfForces(model, sizeOf(first.pose)) : null;
   const scrubber = createScrubber(part("scrubber"), model);
-  /** The part below the fold, which is made with its peaks. */
   let paper = null;
+  /** The part below the fold, which is made when it is first asked for. */
+  function paperNow() {
+    if (paper === null) {
+      paper = createPaper(part("paper"), model, (x) => goTo(x));
+      paper.notes.set(kept?.notes ?? "");
+    }
+    return paper;
+  }
+  const notesNow = () => (paper === null ? (kept?.notes ?? "") : paper.notes.text());
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
     state.design = { ...state.design, [group]: group === "speed" ? value : { ...state.design[group], [name]: value } };
     solve();
@@ -183,6 +207,7 @@ export function start(report, solver, kept = null) {
       redrawn = false;
       drawStill();
     }
+    goOnFitting(seconds);
     drawPose();
     if (state.playing && !state.hovering) {
       measureFrame(performance.now() - begin);
@@ -204,6 +229,7 @@ export function start(report, solver, kept = null) {
     const begin = performance.now();
     unsolved = false;
     version += 1;
+    state.changed = true;
     sweep = createSweep(model, state.design, assemblyNow());
     anatomy = anatomyOf(sweep) ?? anatomy;
     others = null;
@@ -229,6 +255,7 @@ export function start(report, solver, kept = null) {
     laterTimer = setTimeout(() => {
       showPeaks();
       sayPose();
+      fitAgain();
     }, 150);
   }
 
@@ -241,8 +268,16 @@ export function start(report, solver, kept = null) {
     const least = exact ? worstTransmission(model) : null;
     const at = least && inputText(model, least.at, state.degrees);
     const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
-    paper ??= createPaper(part("paper"), model, (x) => goTo(x));
-    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(sweep), state.degrees, `${rest}${angle ?? ""}`);
+    const shown = peaks.length > 0 ? peaks : ownPeaks(sweep);
+    const paper = paperNow();
+    paper.showPeaks(shown, state.degrees, `${rest}${angle ?? ""}`);
+    if (state.reference === null) {
+      paper.comparison.hide();
+    } else {
+      const given = state.reference.reported ? givenPeaks(model) : [];
+      const kept = given.length > 0 ? given : ownPeaks(state.reference);
+      paper.comparison.show([state.reference.design, sweep.design], [kept, shown], state.degrees);
+    }
   }
 
   function amount(value) {
@@ -256,6 +291,7 @@ export function start(report, solver, kept = null) {
 
   function sayPose() {
     if (row !== null && !state.playing) {
+      paperNow().showPose(row, state.degrees);
       setText(
         part("spoken"),
         poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()),
@@ -390,6 +426,7 @@ export function start(report, solver, kept = null) {
       reference: isOfForces ? null : state.reference,
       marks,
       speed: state.design.speed,
+      brief: state.printing,
     });
     hodographs.draw({ width, top: top + 6, height: height - top - 6, shown: vectors, turning: state.turning, sweep });
     setText(part("forces-note"), isOfForces ? noteOfForces() : "");
@@ -423,9 +460,44 @@ export function start(report, solver, kept = null) {
     return allRows(sweep).filter((_, index) => index % 3 === 0);
   }
 
+  /** Fits the picture where a change has moved links out of it, unless the reader chose the view. */
+  function fitAgain() {
+    const joints = someRows().flatMap(({ pose }) => pose.joints);
+    if (!state.changed || state.ownView || seesAll(view, joints, state.size)) {
+      return;
+    }
+    state.changed = false;
+    const from = { ...view };
+    fit();
+    if (!still) {
+      fitting = { from, to: { ...view }, part: 0 };
+      Object.assign(view, from);
+      last = performance.now();
+    }
+    ask();
+  }
+
+  function goOnFitting(seconds) {
+    if (fitting === null) {
+      return;
+    }
+    const part = Math.min(1, fitting.part + seconds / FITTING);
+    // slow at both ends
+    moveView(view, fitting.from, fitting.to, part * part * (3 - 2 * part));
+    fitting = part < 1 ? { ...fitting, part } : null;
+    ask();
+  }
+
   function fit() {
+    state.ownView = false;
+    fitting = null;
     const rows = someRows();
+    const gears = anatomy && rows.length > 0 ? gearsAt(sweep, anatomy, rows[0].pose).gears : [];
+    const round = gears.flatMap(({ centre: [x, y], radius }) =>
+      [-1.1, 1.1].map((way) => [x + way * radius, y + way * radius]),
+    );
     const points = rows.flatMap(({ pose }) => [
+      ...round,
       ...pose.joints,
       ...state.followed.map((followed) => coordinatesOf(model, followed, pose.joints)),
     ]);
@@ -511,6 +583,7 @@ export function start(report, solver, kept = null) {
   function allTrails() {
     const others = state.shows.ghosts ? otherSweeps() : [];
     return [
+      ...(state.reference ? trailsOf(state.reference, "reference") : []),
       ...others.flatMap(({ assembly, index, sweep: other }) => trailsOf(other, colourOfCircuit(assembly, index))),
       ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly)),
     ];
@@ -565,7 +638,9 @@ export function start(report, solver, kept = null) {
         const pose = rowAt(other, state.x)?.pose;
         if (pose) {
           const title = `${nameOfAssembly(assembly)}: click to change to it`;
-          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title });
+          // many names are a tangle
+          const name = report.assemblies.length === 2 ? assembly.name : "";
+          scene.ghosts.push({ pose, index, colour: colourOfCircuit(assembly, index), title, name });
         }
       }
     }
@@ -835,7 +910,9 @@ export function start(report, solver, kept = null) {
   /** Shows another sweep beside, or none. */
   function compare(reference) {
     state.reference = reference;
+    version += 1;
     redraw();
+    later();
   }
 
   function swap() {
@@ -875,19 +952,27 @@ export function start(report, solver, kept = null) {
     if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
       state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
     }
-    const [first] = sweep.spans;
+    const [span] = sweep.spans;
     const begin = given.speed < 0 && !(model.period > 0) ? model.to : model.from;
     // not at a limit, where rates are unbounded
-    state.x = spanAt(sweep, begin) || !first ? begin : 0.5 * (first.from + first.to);
+    state.x = spanAt(sweep, begin) || !span ? begin : 0.5 * (span.from + span.to);
     const plots = report.plots ?? [];
     const isPlotted = ({ column }) => plots.includes(column);
+    const isChosen = model.quantities.some(({ declared, isInput }) => !isInput && !plots.includes(declared));
     const hasAny = ({ curves }) => curves.some(({ column }) => column === plots[0]);
-    state.group = (groups.find(hasAny) ?? groups[0])?.name ?? "number";
+    // who drives a slide on the ground asks for its stroke
+    const strokes = model.outline.slides.some(({ guide }) => guide === null) && !isChosen;
+    const ofStroke = strokes && model.unknowns.some(({ dimension }) => dimension === "length") ? "length" : "";
+    const first = groups.find(({ name }) => name === ofStroke) ?? groups.find(hasAny) ?? groups[0];
+    state.group = first?.name ?? "number";
     if (plots.length > 0) {
       const others = groups.flatMap(({ curves }) =>
         curves.some(isPlotted) ? curves.filter((one) => !isPlotted(one)) : [],
       );
       others.forEach(({ name }) => state.hidden.add(name));
+    }
+    if (!isChosen) {
+      straightNames(sweep).forEach((name) => state.hidden.add(name));
     }
     part("open-dimensions").hidden = model.frames !== null;
     listOptions();
@@ -922,6 +1007,7 @@ export function start(report, solver, kept = null) {
       say("", false);
       showPeaks();
       redraw();
+      later();
     });
     clicked("open-dimensions", () => openDrawer(part("dimensions").hidden));
     clicked("close-dimensions", () => {
@@ -940,7 +1026,11 @@ export function start(report, solver, kept = null) {
       pose: () => lastRow.pose,
       drag,
       end: later,
-      changed: ask,
+      changed() {
+        state.ownView = true;
+        fitting = null;
+        ask();
+      },
       assembly: changeAssembly,
       pick,
       trace,
@@ -975,6 +1065,9 @@ export function start(report, solver, kept = null) {
         state.printing = printing;
         drawStill();
         drawPose();
+        if (row !== null) {
+          paperNow().showPose(row, state.degrees);
+        }
       });
     }
     document.addEventListener("keydown", pressed);
@@ -1001,6 +1094,26 @@ export function start(report, solver, kept = null) {
     );
   }
 
+  /** The motion as a file: a revolution or a law anew and anew, and a part of a range there and back. */
+  function motionFile() {
+    const { x, forward, playing } = state;
+    const { from, to } = spanAt(sweep, x) ?? { from: x, to: x };
+    const ways = sweep.full || model.drive.overTime ? [1] : [1, -1];
+    const begin = state.design.speed < 0 ? to : from;
+    const frames = ways.flatMap((way) =>
+      [...Array(FRAMES + 1).keys()].map((step) => () => {
+        const part = (way > 0 ? step : FRAMES - step) / FRAMES;
+        Object.assign(state, { x: begin + (from + to - 2 * begin) * part, forward: way, playing: true });
+        drawPose();
+      }),
+    );
+    const time = (to - from) / (Math.abs(state.design.speed) * secondsOf(model.units.time) * state.pace);
+    const file = movingPicture(part("picture"), frames, ways.length * time, report.title);
+    Object.assign(state, { x, forward, playing });
+    drawPose();
+    return file;
+  }
+
   function listenToSaving() {
     const name = (report.module ?? report.name).replace(/[^A-Za-z0-9_-]+/g, "_");
     const on = (id, action) =>
@@ -1010,6 +1123,7 @@ export function start(report, solver, kept = null) {
       });
     const text = (file, content, type) => handOver(file, new Blob([content], { type }));
     on("save-csv", () => text(`${name}.csv`, sweepTable(sweep, state.degrees), "text/csv"));
+    on("save-animation", () => text(`${name}_moving.svg`, motionFile(), "image/svg+xml"));
     on("save-svg", () => text(`${name}.svg`, pictureFile(part("picture"), report.title), "image/svg+xml"));
     on("save-plots", () => text(`${name}_plots.svg`, pictureFile(part("plots"), report.title), "image/svg+xml"));
     on("save-png", () => {
@@ -1019,9 +1133,12 @@ export function start(report, solver, kept = null) {
       );
     });
     on("save-json", () => {
-      const all = { report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() };
+      const { design, x: input } = state;
+      const all = { report, design, assembly: assemblyNow().name, input, pose: valuesNow(), notes: notesNow() };
       text(`${name}.json`, `${JSON.stringify(all, null, 1)}\n`, "application/json");
     });
+    part("save-page").hidden = written === null;
+    on("save-page", () => text(`${name}.html`, pageKeeping(written, left()), "text/html"));
     on("print", () => print());
   }
 
@@ -1057,8 +1174,36 @@ export function start(report, solver, kept = null) {
     }
   }
 
+  /** The view, which another page of this mechanism may take over. */
+  function keep() {
+    return {
+      x: state.x,
+      once: state.once,
+      playing: state.playing,
+      shows: state.shows,
+      degrees: state.degrees,
+      assembly: assemblyNow().name,
+      chosen: state.assembly !== (report.assembly ?? 0),
+      drawer: !part("dimensions").hidden,
+      notes: notesNow(),
+    };
+  }
+
+  /** All that a saved page opens with. */
+  function left() {
+    const { design, followed, group } = state;
+    const reference = state.reference?.design ?? null;
+    return { ...keep(), playing: false, once: 0, design, reference, followed, group, hidden: [...state.hidden] };
+  }
+
   setUp();
   listen();
+  if (kept?.design) {
+    state.followed = kept.followed;
+    state.hidden = new Set(kept.hidden);
+    setGroup(kept.group);
+    compare(kept.reference && createSweep(model, designLike(given, kept.reference), assemblyNow()));
+  }
   if (givenPeaks(model).length > 0) {
     showPeaks();
   } else {
@@ -1084,16 +1229,7 @@ export function start(report, solver, kept = null) {
     value: state.design[group][entry.name],
   });
   return {
-    keep: () => ({
-      x: state.x,
-      once: state.once,
-      playing: state.playing,
-      shows: state.shows,
-      degrees: state.degrees,
-      assembly: assemblyNow().name,
-      chosen: state.assembly !== (report.assembly ?? 0),
-      drawer: !part("dimensions").hidden,
-    }),
+    keep,
     design: () => [
       ...model.parameters.map(shown("parameters")),
       ...model.inputs.filter(({ moves }) => !moves).map(shown("standing")),

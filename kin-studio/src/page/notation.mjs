@@ -100,5 +100,8 @@ export function hull(points) {
   if (lower.length === 1) {
     return lower;
   }
-  return [...lower.slice(0, -1), ...upper.slice(0, -1)];
+  const ring = [...lower.slice(0, -1), ...upper.slice(0, -1)];
+  // beginning with the same point in every pose, so that a body's outline turns with it
+  const first = Math.max(0, ring.indexOf(points.find((point) => ring.includes(point))));
+  return [...ring.slice(first), ...ring.slice(0, first)];
 }

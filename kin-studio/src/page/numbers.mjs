@@ -54,7 +54,8 @@ function minus(text) {
   return text.replace("-", "−");
 }
 
-function raised(power) {
+/** A power as superscripts. */
+export function raised(power) {
   return [...String(power)].map((letter) => SUPERSCRIPTS[letter]).join("");
 }
 

@@ -1,12 +1,16 @@
 /** The part of the page below the fold: peaks, sensitivities, equations, their solution, the declaration. */
+import { createComparison } from "./comparison.mjs";
 import { memberText } from "./curves.mjs";
 import { inputAt } from "./kinematics/drive.mjs";
 import { button, choice, definitions, drawn, made, table } from "./elements.mjs";
 import { formulaOf } from "./formulas.mjs";
 import { inputText } from "./kinematics/marks.mjs";
 import { blockText } from "./kinematics/model.mjs";
+import { createNotes } from "./notes.mjs";
 import { capital, numberText, ORDERS, quantityText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { quotedCell } from "./saving.mjs";
+import { valueAt } from "./kinematics/sweep.mjs";
+import { poseText } from "./words.mjs";
 
 /** The part of the larger extreme below which the smaller one is but rounding. */
 const ROUNDING = 1e-14;
@@ -21,12 +25,14 @@ export function createPaper(parent, model, go) {
     parent.append(section);
     return section;
   };
+  const notes = createNotes(add);
   if (report.documentation) {
     const paragraphs = report.documentation
       .split(/\n\s*\n/)
       .map((text) => made("p", {}, text.trim().replaceAll("`", "")));
     add("About", made("div", { className: "prose" }, ...paragraphs));
   }
+  const showPose = poseTable(add, model);
   const peakTable = made("div", { className: "scroll" });
   const note = made("p", { className: "quiet-text" });
   let cells = [];
@@ -38,6 +44,7 @@ export function createPaper(parent, model, go) {
     });
   });
   add("Peaks", peakTable, made("p", { className: "row" }, copy, note));
+  const comparison = createComparison(add, model);
   const showForces = forces(add, model, go);
   const showSensitivities = sensitivities(add, model);
   equations(add, model);
@@ -46,6 +53,9 @@ export function createPaper(parent, model, go) {
   manual(add, model);
 
   return {
+    comparison,
+    notes,
+    showPose,
     showPeaks(peaks, degrees, source) {
       showForces(degrees);
       showSensitivities(degrees);
@@ -64,6 +74,24 @@ export function createPaper(parent, model, go) {
       });
       peakTable.replaceChildren(table(["Quantity", "", "Highest", "at", "Lowest", "at", "RMS"], rows));
     },
+  };
+}
+
+/** The values of all quantities with their derivatives at one pose. */
+function poseTable(add, model) {
+  const at = made("p", { className: "quiet-text" });
+  const box = made("div", { className: "scroll" });
+  add("Pose", at, box);
+  const orders = ORDERS.slice(0, model.orders + 1);
+  return (row, degrees) => {
+    at.textContent = poseText(model, row, degrees, "", []);
+    const rows = model.quantities.map((quantity, index) => [
+      made("th", { scope: "row" }, made("span", { className: `legend c${quantity.colour}` }), ` ${quantity.text}`),
+      ...orders.map((_, order) =>
+        quantityText(valueAt(model, row, index, order), { ...quantity, order }, model, degrees, 6),
+      ),
+    ]);
+    box.replaceChildren(table(["Quantity", ...orders], rows));
   };
 }
 

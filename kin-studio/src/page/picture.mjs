@@ -1,13 +1,16 @@
 /** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
 import { coordinatesOf } from "./kinematics/anatomy.mjs";
+import { acrossOf } from "./kinematics/axes.mjs";
 import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
 import { arcOfDrive, arrowHead, belowOf, BLOCK, blockOf, footOf, hatch, hull, unitOf } from "./notation.mjs";
 import { numberText, ticks, withUnit } from "./numbers.mjs";
+import { gearsAt } from "./kinematics/gears.mjs";
 import { alongSlide } from "./kinematics/sweep.mjs";
 import { ROUNDING } from "./kinematics/tolerances.mjs";
 import { pool } from "./pool.mjs";
-import { flat, onPage } from "./view.mjs";
+import { rackOf, teethOf } from "./teeth.mjs";
+import { flat, isTurned, onPage } from "./view.mjs";
 
 const LAYERS = [
   "grid",
@@ -15,8 +18,10 @@ const LAYERS = [
   "ghosts",
   "reference",
   "ground",
+  "gears",
   "bodies",
   "sliders",
+  "over",
   "pins",
   "marks",
   "arrows",
@@ -24,6 +29,10 @@ const LAYERS = [
   "names",
   "hits",
 ];
+
+/** Half the length of an axis of space, in parts of the mechanism, and the radius of a bearing, in pixels. */
+const AXIS = 0.16;
+const BEARING = 13;
 
 /**
  * @typedef {object} Scene
@@ -37,7 +46,7 @@ const LAYERS = [
  * @property {any[]} followed
  * @property {string} still what grid and trails depend on: they are drawn again when it differs
  * @property {() => {points: number[][], colour: string, closed: boolean}[]} trails in the mechanism's coordinates
- * @property {{pose: any, index: number, colour: string, title: string}[]} ghosts
+ * @property {{pose: any, index: number, colour: string, title: string, name: string}[]} ghosts
  * @property {any} reference another pose, or null
  * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
  * @property {{centre: number[], radius: number, at: number[]}[]} circles
@@ -63,13 +72,14 @@ export function createPicture(svg, model) {
         still = scene.still;
         kept = createRoom(scene.width, scene.height);
         grid(layers.grid, model, scene, kept);
-        trails(layers.trails, scene, kept);
+        trails(layers.trails, layers.over, scene, kept);
       }
       room.lines.push(...kept.lines);
       room.boxes.push(...kept.boxes);
       ghosts(layers.ghosts, model, scene);
       outlines(layers.reference, model, scene, scene.reference);
       ground(layers.ground, model, scene, joints, room);
+      gears(layers.gears, scene);
       bodies(layers.bodies, layers.hits, model, scene, joints, room);
       sliders(layers.sliders, model, scene, joints, room);
       pins(layers.pins, model, scene, joints, room);
@@ -112,6 +122,9 @@ function grid(layer, model, { view, width, height }, room) {
       const at = { x: tenth(corner[0] + 28 * x), y: tenth(corner[1] + 28 * y + 4), class: "quiet middle" };
       setText(layer.add("text", at), name);
     }
+    if (!isTurned(view)) {
+      setText(layer.add("text", { x: left, y: 16, class: "quiet" }), "Drag beside the links to turn the view");
+    }
   }
   layer.end();
 }
@@ -121,15 +134,20 @@ function gridStep(scale) {
   return marks.length > 1 ? marks[1] : 1 / scale;
 }
 
-function trails(layer, { view, trails: all }, room) {
+/** Paths below the links, and faintly above them, where they would be hidden. */
+function trails(layer, over, { view, trails: all }, room) {
   layer.begin();
+  over.begin();
   for (const { points, colour, closed } of all()) {
     const seen = points.map((point) => onPage(view, point));
-    layer.add("path", { d: line(seen, closed), class: `trail ${colour}` });
+    const d = line(seen, closed);
+    layer.add("path", { d, class: `trail ${colour}` });
+    over.add("path", { d, class: `trail over ${colour}` });
     const sparse = seen.filter((_, index) => index % 12 === 0);
     keepLines(room, sparse, 1.5);
   }
   layer.end();
+  over.end();
 }
 
 /** Another pose as thin lines. */
@@ -223,6 +241,11 @@ function ground(layer, model, scene, joints, room) {
     layer.add("path", { d: hatch(from, to, below), class: "hatch" });
     keepLines(room, [from, to], 6);
   });
+  if (model.space) {
+    groundOfSpace(layer, model, scene, joints, room);
+    layer.end();
+    return;
+  }
   joints.forEach(([x, y], joint) => {
     if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
       return;
@@ -236,15 +259,82 @@ function ground(layer, model, scene, joints, room) {
   layer.end();
 }
 
+/** The ground link, and the bearings of its joints: a disc at right angles to each axis, or a socket for a ball. */
+function groundOfSpace(layer, model, scene, joints, room) {
+  const { ground: fixed } = model.outline;
+  // of each shaft, the first bearing
+  const isFirst = (joint) =>
+    model.outline.bodies.every(
+      ({ joints: ofBody }) => !ofBody.includes(joint) || ofBody.find((one) => fixed.includes(one)) === joint,
+    );
+  const link = fixed.filter(isFirst).map((joint) => joints[joint]);
+  if (link.length > 1) {
+    layer.add("path", { d: line(link, link.length > 3), class: "ground-link" });
+    keepLines(room, link, 2, link.length > 3);
+  }
+  for (const joint of fixed.filter((one) => scene.anatomy.pins[one])) {
+    const axis = scene.anatomy.axes[joint];
+    const place = scene.pose.joints[joint];
+    const at = (direction, by) =>
+      onPage(
+        scene.view,
+        place.map((value, index) => value + by * direction[index]),
+      );
+    if (axis === null) {
+      const [x, y] = joints[joint];
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 10, class: "bearing" });
+    } else {
+      const ends = [-1, 1].map((sign) => at(axis, sign * AXIS * scene.anatomy.size));
+      layer.add("path", { d: line(ends), class: "axis" });
+      keepLines(room, ends, 2);
+      const [one, other] = acrossOf(axis);
+      const disc = [...Array(24).keys()].map((step) => {
+        const [cosine, sine] = [Math.cos((step * Math.PI) / 12), Math.sin((step * Math.PI) / 12)];
+        const direction = one.map((value, index) => cosine * value + sine * other[index]);
+        return at(direction, BEARING / scene.view.scale);
+      });
+      layer.add("path", { d: line(disc, true), class: "bearing" });
+    }
+    keepSquare(room, joints[joint], 12);
+  }
+}
+
 function directionOf(model, scene, slide) {
   return unitOf([0, 0], flat(scene.view, scene.pose.slides[slide]));
+}
+
+/** Gears and racks in the colours of their bodies. */
+function gears(layer, { sweep, anatomy, pose, view, free }) {
+  layer.begin();
+  const found = gearsAt(sweep, anatomy, pose);
+  const shapes = [
+    ...found.gears.map((gear) => [gear.body, teethOf(gear)]),
+    ...found.racks.map((rack) => [rack.body, [rackOf(rack)]]),
+  ];
+  for (const [body, lines] of shapes) {
+    const d = lines
+      .map((points) =>
+        line(
+          points.map((point) => onPage(view, point)),
+          true,
+        ),
+      )
+      .join("");
+    const faded = free === null || free === body ? "" : " faded";
+    layer.add("path", { d, class: `gear ${body === null ? "plain" : colourOf(anatomy, body)}${faded}` });
+  }
+  layer.end();
+}
+
+function colourOf({ driven, colours }, body) {
+  return driven[body] ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
 }
 
 function bodies(layer, hits, model, scene, joints, room) {
   layer.begin();
   hits.begin();
   model.outline.bodies.forEach((_, body) => {
-    const { driven, colours } = scene.anatomy;
+    const { driven } = scene.anatomy;
     const corners = cornersOf(model, scene, body, joints, scene.pose);
     const cylinder = model.outline.slides.some(
       ({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide),
@@ -253,7 +343,7 @@ function bodies(layer, hits, model, scene, joints, room) {
     const shifted = model.outline.slides.some(
       ({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide],
     );
-    const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
+    const colour = shifted ? "driven" : colourOf(scene.anatomy, body);
     const d = line(outer, outer.length > 2);
     const faded = scene.free === null || scene.free === body ? "" : " faded";
     if (cylinder && outer.length === 2) {
@@ -462,6 +552,23 @@ function names(layer, model, scene, joints, room, choices) {
         "of-point",
       );
     });
+    // a name stands at a line that moves
+    const writeGhost = (key, pose, name) => {
+      const points = pose.joints.map((joint) => onPage(scene.view, joint));
+      const moving = model.outline.bodies.map(({ joints: ofBody }) => ofBody.slice(0, 2).map((joint) => points[joint]));
+      const lines = moving.filter((ends) => ends.length === 2);
+      lines.forEach((ends) => keepLines(room, ends, 1));
+      const around = lines
+        .reverse()
+        .flatMap(([from, to]) =>
+          [0.5, 0.3, 0.7].map((part) => from.map((value, axis) => value + part * (to[axis] - value))),
+        );
+      write(key, around.length > 0 ? around : points, name, "of-ghost");
+    };
+    scene.ghosts.forEach(({ pose, name, index }) => name && writeGhost(`g${index}`, pose, name));
+    if (scene.reference) {
+      writeGhost("A", scene.reference, "A");
+    }
     scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
     model.outline.bodies.forEach(({ name, joints: ofBody }, body) => {
       if (scene.free !== null && scene.free !== body) {

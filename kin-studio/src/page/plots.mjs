@@ -1,15 +1,16 @@
 /** Position through snap over one common axis, with one cursor. */
+import { axisOf, sharedPower, unitWithPower } from "./axes.mjs";
 import { isBroken } from "./kinematics/drive.mjs";
 import { change, drawn, line, setText, tenth } from "./elements.mjs";
 import { inputText } from "./kinematics/marks.mjs";
 import { numberText, steadyText, ticks, unitFactor, withUnit } from "./numbers.mjs";
+import { placeOfReadout, readoutsOf } from "./readouts.mjs";
 import { innerRows, rowBefore } from "./kinematics/sweep.mjs";
+import { ROUNDING } from "./kinematics/tolerances.mjs";
 
 const LEFT = 58;
 const RIGHT = 16;
 const HEAD = 30;
-/** The width of a letter in the values at the cursor, in pixels. */
-const DIGIT = 7.6;
 const FOOT = 34;
 
 /**
@@ -25,6 +26,7 @@ const FOOT = 34;
  * @property {import("./kinematics/sweep.mjs").Sweep | null} reference
  * @property {import("./kinematics/marks.mjs").Mark[]} marks
  * @property {number} speed
+ * @property {boolean} brief whether values stand elsewhere, where they do not fit beside the titles
  */
 
 export function createPlots(svg, model) {
@@ -55,13 +57,21 @@ export function createPlots(svg, model) {
     const [first] = now.shown;
     const unit = first?.unit(order, now.degrees) ?? "";
     const inTurns = order === 0 && now.degrees && first?.factor(true) !== 1;
-    const [low, most] = boundsOf(order);
-    const upper = top + HEAD;
+    const axis = boundsOf(order);
+    const readouts = readoutsOf(
+      now.shown.map(({ text }) => text),
+      now.width - LEFT - RIGHT,
+      high,
+      now.brief,
+    );
+    const upper = top + HEAD + Math.max(0, readouts.high - 6);
     const lower = top + high - 6;
-    const down = (value) => lower - ((value - low) / (most - low)) * (lower - upper);
+    const down = (value) => lower - ((value - axis.low) / (axis.high - axis.low)) * (lower - upper);
+    const marks = ticks(axis.low, axis.high, (lower - upper) / 20, inTurns);
+    const power = sharedPower(marks);
     const title = drawn("text", { x: LEFT, y: top + 14, class: "plot-title" }, still);
     title.textContent = now.titles[order];
-    drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
+    drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unitWithPower(unit, power);
     const clip = `clip-${order}`;
     const frame = {
       x: LEFT,
@@ -70,10 +80,11 @@ export function createPlots(svg, model) {
       height: Math.max(1, lower - upper + 6),
     };
     drawn("rect", frame, drawn("clipPath", { id: clip }, still));
-    for (const value of ticks(low, most, (lower - upper) / 20, inTurns)) {
+    for (const value of marks) {
       const y = tenth(down(value));
       drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: value === 0 ? "zero-line" : "grid-line" }, still);
-      drawn("text", { x: LEFT - 7, y: y + 4, class: "quiet end" }, still).textContent = numberText(value, 4);
+      const text = drawn("text", { x: LEFT - 7, y: y + 4, class: "quiet end" }, still);
+      text.textContent = numberText(value / 10 ** power, 4);
     }
     for (const x of axisTicks()) {
       drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "grid-line" }, still);
@@ -97,20 +108,10 @@ export function createPlots(svg, model) {
     if (order === 0) {
       drawPeaks(held);
     }
+    sayBeyond(axis, unit, upper, lower);
     const dot = ({ colour }) => drawn("circle", { r: 3.2, class: `plot-dot c${colour}` }, moving);
     const [dots, dotsBefore] = [now.shown.map(dot), now.shown.map(dot)];
-    const wide = now.shown.reduce((sum, { text }) => sum + DIGIT * (text.length + 9) + 14, 0);
-    const named = wide < now.width - LEFT - RIGHT - 120;
-    const labelled = now.shown.slice(
-      0,
-      named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))),
-    );
-    const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
-    const texts = labelled.map(({ colour, text }, index) => {
-      const swatch = drawn("tspan", { class: `swatch c${colour}`, ...(index > 0 ? { dx: 7 } : {}) }, values);
-      swatch.textContent = "●";
-      return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${text} ` : "" };
-    });
+    const texts = drawReadouts(readouts, top);
     const scales = now.shown.map((curve) => scaleOf(curve, order));
     return {
       upper,
@@ -119,10 +120,51 @@ export function createPlots(svg, model) {
       dots,
       dotsBefore,
       texts,
+      wide: readouts.wide,
       scales,
+      sizes: now.shown.map((curve) => naturalSize(curve, order)),
       visible: (y) => y >= upper - 3 && y <= lower + 3,
     };
   }
+
+  /** The texts of the values at the cursor, still empty. */
+  function drawReadouts(readouts, top) {
+    const swatchOf = ({ colour }, attributes, parent) => {
+      drawn("tspan", { class: `swatch c${colour}`, ...attributes }, parent).textContent = "●";
+    };
+    const beside =
+      readouts.columns === 0
+        ? drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving)
+        : null;
+    return now.shown.slice(0, readouts.count).map((curve, index) => {
+      const [x, y] = beside ? [0, 0] : placeOfReadout(readouts, index);
+      const parent =
+        beside ?? drawn("text", { x: tenth(LEFT + x), y: top + 16 + y, class: "plot-values small" }, moving);
+      swatchOf(curve, beside && index > 0 ? { dx: 7 } : {}, parent);
+      return { element: drawn("tspan", { dx: 3 }, parent), name: readouts.named ? `${curve.text} ` : "" };
+    });
+  }
+
+  /** Says how far the values go that lie beyond the axis. */
+  function sayBeyond({ above, below }, unit, upper, lower) {
+    const say = (text, y) => {
+      const at = { x: now.width - RIGHT - 4, y: tenth(y), class: "quiet end halo beyond" };
+      drawn("text", at, still).textContent = text;
+    };
+    const text = (value) => withUnit(numberText(value, 3), unit);
+    if (above !== null) {
+      say(`↑ up to ${text(above)}`, upper + 10);
+    }
+    if (below !== null) {
+      say(`↓ down to ${text(below)}`, lower - 3);
+    }
+  }
+
+  /** The size of a derivative that changes as slowly as the whole motion does. */
+  const naturalSize = (curve, order) =>
+    curve.scale(now.sweep, 0) *
+    curve.factor(now.degrees) *
+    ((2 * Math.PI * Math.abs(model.drive.overTime ? 1 : now.speed)) / model.width) ** order;
 
   const scaleOf = (curve, order) => curve.scale(now.sweep, order) * curve.factor(now.degrees);
 
@@ -173,28 +215,12 @@ export function createPlots(svg, model) {
     }
   }
 
+  /** The axis of a row, for the part of the range that is seen. */
   function boundsOf(order) {
-    let [low, high] = [Infinity, -Infinity];
-    for (const sweep of now.reference ? [now.sweep, now.reference] : [now.sweep]) {
-      for (const row of innerRows(sweep)) {
-        if (row.x < now.zoom[0] || row.x > now.zoom[1]) {
-          continue;
-        }
-        for (const value of now.shown.map((curve) => valueOf(row, curve, order)).filter((one) => !Number.isNaN(one))) {
-          low = Math.min(low, value);
-          high = Math.max(high, value);
-        }
-      }
-    }
-    if (!(high >= low)) {
-      return [-1, 1];
-    }
-    const scale = Math.max(...now.shown.map((curve) => scaleOf(curve, order)), 1e-300);
-    // what does not change but for rounding is a straight line
-    const least =
-      high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
-    const room = 0.08 * (high - low) + least;
-    return [low - room, high + room];
+    const isSeen = ({ x }) => x >= now.zoom[0] && x <= now.zoom[1];
+    const rows = [now.sweep, now.reference].flatMap((sweep) => (sweep ? innerRows(sweep).filter(isSeen) : []));
+    const values = now.shown.flatMap((curve) => rows.map((row) => valueOf(row, curve, order)));
+    return axisOf(values, Math.max(0, ...now.shown.map((curve) => naturalSize(curve, order))));
   }
 
   function axisTicks() {
@@ -211,9 +237,10 @@ export function createPlots(svg, model) {
     drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: "axis-line" }, still);
     for (const x of axisTicks()) {
       const at = across(x);
-      const text = drawn("text", { x: tenth(at), y: y + 14, class: "quiet middle" }, still);
       const ofVariable = model.drive.overTime ? numberText(x, 4) : inputText(model, x, now.degrees, 4);
-      text.textContent = now.time ? numberText((x - model.from) / now.speed, 4) : ofVariable;
+      const text = now.time ? numberText((x - model.from) / now.speed, 4) : ofVariable;
+      const middle = Math.min(at, now.width - 4 * text.length);
+      drawn("text", { x: tenth(middle), y: y + 14, class: "quiet middle" }, still).textContent = text;
       drawn("path", { d: `M${tenth(at)} ${y}v4`, class: "axis-line" }, still);
     }
     const label = drawn("text", { x: now.width - RIGHT, y: y + 29, class: "quiet end" }, still);
@@ -233,7 +260,7 @@ export function createPlots(svg, model) {
     });
     // at a joint there are two values, before it and behind it
     const before = rowBefore(now.sweep, row);
-    rows.forEach(({ down, dots, dotsBefore, texts, scales, visible }, order) => {
+    rows.forEach(({ down, dots, dotsBefore, texts, wide, scales, sizes, visible }, order) => {
       now.shown.forEach((curve, index) => {
         const jumps = before !== null && isBroken(model.drive, before, row, order + curve.above);
         const put = (element, shownRow, shown) => {
@@ -245,11 +272,12 @@ export function createPlots(svg, model) {
         put(dots[index], row, true);
         put(dotsBefore[index], before ?? row, jumps);
         if (texts[index]) {
+          const rounded = (value) => (Math.abs(value) < ROUNDING * sizes[index] ? 0 : value);
           const text = (shownRow) =>
             curve.isUnbounded(now.sweep, shownRow, order)
               ? "unbounded"
-              : steadyText(valueOf(shownRow, curve, order), scales[index]);
-          const both = jumps && 2 * texts.length * DIGIT * 11 < now.width - LEFT - RIGHT;
+              : steadyText(rounded(valueOf(shownRow, curve, order)), scales[index]);
+          const both = jumps && wide;
           setText(texts[index].element, `${texts[index].name}${both ? `${text(before)} → ` : ""}${text(row)}`);
         }
       });

@@ -6,8 +6,8 @@ import { allRows, valueAt } from "./kinematics/sweep.mjs";
 
 /** The properties of a drawn element that a style sheet sets. */
 const STYLED = (
-  "fill fill-opacity stroke stroke-width stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity opacity " +
-  "font-size font-family font-style font-weight text-anchor"
+  "fill fill-opacity fill-rule stroke stroke-width stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity " +
+  "opacity font-size font-family font-style font-weight text-anchor"
 ).split(" ");
 
 /** All poses of a sweep as comma-separated values, every number with all its digits. */
@@ -43,26 +43,38 @@ export function quotedCell(text) {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
+/** Whether an element is a part of a picture that is handed over. */
+export function isDrawn(element) {
+  return element.getAttribute("display") !== "none" && !/\bhit/.test(element.getAttribute("class") ?? "");
+}
+
+/** What the style sheet says of an element, as attributes. */
+export function styleOf(element) {
+  const style = getComputedStyle(element);
+  const properties = STYLED.map((property) => [property, style.getPropertyValue(property)]);
+  return Object.fromEntries(properties.filter(([, value]) => value));
+}
+
 /** A picture of the page as a separate file. */
 export function pictureFile(svg, title) {
   const copy = svg.cloneNode(true);
   const originals = [...svg.querySelectorAll("*")];
   const copies = [...copy.querySelectorAll("*")];
   copies.forEach((element, index) => {
-    const classes = element.getAttribute("class") ?? "";
-    if (element.getAttribute("display") === "none" || /\bhit/.test(classes)) {
+    if (!isDrawn(element)) {
       element.remove();
       return;
     }
-    const style = getComputedStyle(originals[index]);
-    for (const property of STYLED) {
-      const value = style.getPropertyValue(property);
-      if (value && element.localName !== "g" && element.localName !== "title") {
-        element.setAttribute(property, value);
-      }
+    if (element.localName !== "g" && element.localName !== "title") {
+      change(element, styleOf(originals[index]));
     }
     element.removeAttribute("class");
   });
+  return asFile(copy, svg, title);
+}
+
+/** A copy of a picture as the text of a file, with its size, its paper and its title. */
+export function asFile(copy, svg, title) {
   const { width, height } = svg.getBoundingClientRect();
   change(copy, { xmlns: "http://www.w3.org/2000/svg", width: Math.round(width), height: Math.round(height) });
   for (const name of ["class", "tabindex", "id", "aria-label", "role"]) {

@@ -2,9 +2,17 @@
 
 /** @typedef {{space: boolean, scale: number, x: number, y: number, yaw: number, pitch: number}} View */
 
+/** The direction along the diagonal of space. */
+const DIAGONAL = { yaw: Math.PI / 4, pitch: Math.PI / 6 };
+
 /** A view along the diagonal of space, or straight upon the plane. @returns {View} */
 export function createView(space) {
-  return { space, scale: 1, x: 0, y: 0, yaw: Math.PI / 4, pitch: Math.PI / 6 };
+  return { space, scale: 1, x: 0, y: 0, ...DIAGONAL };
+}
+
+/** Whether a view of space was turned. */
+export function isTurned({ yaw, pitch }) {
+  return yaw !== DIAGONAL.yaw || pitch !== DIAGONAL.pitch;
 }
 
 /** A point or direction without scale and offset; y points down. @returns {[number, number]} */
@@ -38,6 +46,21 @@ export function fitView(view, points, room) {
   view.scale = Math.max(1e-9, Math.min((room.right - room.left) / width, (room.bottom - room.top) / height));
   view.x = 0.5 * (room.left + room.right) - 0.5 * (low[0] + high[0]) * view.scale;
   view.y = 0.5 * (room.top + room.bottom) - 0.5 * (low[1] + high[1]) * view.scale;
+}
+
+/** Whether all points are seen in a picture of a size. */
+export function seesAll(view, points, [width, height]) {
+  return points.every((point) => {
+    const [x, y] = onPage(view, point);
+    return x >= 0 && x <= width && y >= 0 && y <= height;
+  });
+}
+
+/** Brings a view from one place and scale to another, by a part of the way. */
+export function moveView(view, from, to, part) {
+  for (const name of ["scale", "x", "y"]) {
+    view[name] = from[name] + (to[name] - from[name]) * part;
+  }
 }
 
 /** Enlarges about a point of the picture. */

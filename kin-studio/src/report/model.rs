@@ -471,6 +471,9 @@ pub struct Forces {
     pub curves: Vec<ForceCurve>,
     /// What acts on the bodies beside the joints.
     pub body_loads: Vec<BodyLoad>,
+    /// The pitch curves of gears and racks of the plane.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<Contact>,
     /// All of them over the range, in the order of the variable.
     pub samples: Vec<ForceSample>,
     /// The mean powers over time, if joints have friction.
@@ -478,6 +481,47 @@ pub struct Forces {
     pub powers: Option<MeanPowers>,
     /// Why some or all forces in joints are not known.
     pub unknown: Option<String>,
+}
+
+/// The pitch curves of two bodies that roll on each other: two circles, or one and the line of a rack.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Contact {
+    /// The pitch circles.
+    pub circles: Vec<PitchCircle>,
+    /// The line of a rack whose direction is given by numbers.
+    pub rack: Option<PitchLine>,
+}
+
+/// The pitch circle of a gear.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PitchCircle {
+    /// The index of its body; nothing for the ground.
+    pub body: Option<usize>,
+    /// Its centre.
+    pub centre: Place,
+    /// Its radius.
+    pub radius: f64,
+    /// The name of the dimension that is its radius.
+    pub dimension: Option<String>,
+}
+
+/// The pitch line of a rack.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PitchLine {
+    /// The index of its body; nothing for the ground.
+    pub body: Option<usize>,
+    /// Its direction, of any length.
+    pub along: [f64; 2],
+}
+
+/// A point of the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Place {
+    /// A joint, by its index.
+    Joint(usize),
+    /// A point of the ground, by its coordinates.
+    Fixed([f64; 2]),
 }
 
 /// What drives give and friction takes in the mean over time, in W.

@@ -332,6 +332,18 @@ fn gears_and_racks() {
         };
         assert!((x - 260.0).abs() < 1e-3 && y.abs() < 1e-9, "{x} {y}");
     }
+    // and the pitch curves, from the dimension that is the radius
+    let [contact] = &forces.contacts[..] else {
+        panic!("one contact")
+    };
+    let [circle] = &contact.circles[..] else {
+        panic!("one gear")
+    };
+    assert_eq!((circle.body, circle.radius), (Some(2), 60.0));
+    assert_eq!(circle.dimension.as_deref(), Some("sector"));
+    assert!(matches!(circle.centre, kin_studio::report::Place::Joint(_)));
+    let rack = contact.rack.unwrap();
+    assert_eq!((rack.body, rack.along), (Some(3), [0.0, 1.0]));
     let powers = forces.powers.unwrap();
     let efficiency = powers.efficiency.unwrap();
     assert!((efficiency - (1.0 - powers.heat / powers.input)).abs() < 1e-12 && (0.9..0.95).contains(&efficiency));

@@ -1,11 +1,13 @@
 /** The parts of a mechanism's picture: pins, driven bodies, and the unknown that is a body's angle. */
 import { inputAt } from "./drive.mjs";
-import { alongSlide, innerRows } from "./sweep.mjs";
+import { groundAxes } from "./axes.mjs";
+import { alongSlide, innerRows, sizeOf } from "./sweep.mjs";
 import { DESCRIBES, ROUNDING, TURNS } from "./tolerances.mjs";
 
 /**
  * @typedef {{pins: boolean[], fixed: boolean[], colours: (number | null)[], drivers: (number | null)[],
- *   driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number}} Anatomy
+ *   driven: boolean[], drivenSlides: boolean[], keeps: boolean[], floating: number, size: number,
+ *   axes: (number[] | null)[]}} Anatomy
  */
 
 /** @returns {Anatomy | null} null if it closes nowhere */
@@ -67,6 +69,8 @@ export function anatomyOf(sweep) {
     }).length;
     return turning > 1 || (turning === 1 && (fixed[joint] || outline.slides.some((slide) => slide.joint === joint)));
   });
+  const size = sizeOf(some[0].pose);
+  const poses = some.map(({ pose }) => pose);
   const floating = outline.bodies.findIndex(({ joints }) => joints.length > 1 && !joints.some((joint) => fixed[joint]));
   return {
     pins,
@@ -77,6 +81,8 @@ export function anatomyOf(sweep) {
     drivenSlides,
     keeps,
     floating,
+    size,
+    axes: model.space ? groundAxes(model, poses, size) : [],
   };
 }
 

@@ -74,7 +74,7 @@ export function kindText({ kind, text }) {
 
 /** A value of the variable, with its unit. */
 export function inputText(model, x, degrees, digits = 6) {
-  return quantityText(x, model.variable, model, degrees, digits);
+  return quantityText(same(model, x, 0) ? 0 : x, model.variable, model, degrees, digits);
 }
 
 /** The message where the mechanism stops. */

@@ -9,6 +9,7 @@ import {
   HALVED,
   PARTS,
   PARTS_OF_PIECE,
+  ROUNDING,
   SMALLEST_STEP,
   same,
   sameLimit,
@@ -269,6 +270,21 @@ export function innerRows(sweep) {
     const [low, high] = [from + margin(from), to - margin(to)];
     return rows.filter(({ x }) => x >= low && x <= high);
   });
+}
+
+/**
+ * The names of the quantities that move in proportion to the variable, as behind a gear. Beside others of their
+ * dimension their lines tell nothing, and squash the other curves.
+ */
+export function straightNames(sweep) {
+  const { model, scales } = sweep;
+  const isStraight = ({ isInput }, index) =>
+    !isInput &&
+    scales[index][1] > 0 &&
+    [2, 3, 4].slice(0, model.orders - 1).every((order) => scales[index][order] <= ROUNDING * scales[index][1]);
+  const straight = model.quantities.filter(isStraight);
+  const others = model.quantities.filter((one) => !straight.includes(one));
+  return straight.filter(({ dimension }) => others.some((one) => one.dimension === dimension)).map(({ name }) => name);
 }
 
 /** The stretch that holds a value of the variable, or null. @returns {Span | null} */

@@ -6,6 +6,7 @@ use kin_core::linkage::AnySweep;
 use kin_core::reaction::{BodyLoadKind, NamedReactions, Reaction, ReactionPart, Reactions};
 use kin_core::sweep::SmoothDrive;
 
+use super::contacts;
 use super::peaks::over_all;
 use super::way::Way;
 use crate::forces::{Causes, Force, ForceQuestion, OfPeak, OfRows, ratio};
@@ -37,9 +38,10 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
     };
     let mut all = gathered.efforts();
     let (mut joints, mut body_loads) = (Vec::new(), Vec::new());
+    let is_space = wishes.functions.is_space();
     if let Some(reactions) = &reactions {
         let rows = gathered.rows(reactions);
-        if wishes.functions.is_space() {
+        if is_space {
             gathered.joints_of_space((reactions, &rows), &mut all, &mut unknown);
         } else {
             joints = gathered.joints((reactions, &rows), &mut all, &mut unknown);
@@ -51,6 +53,11 @@ pub(super) fn of<D: SmoothDrive>(wishes: &Wishes<'_>, way: &Way<'_, D>) -> Optio
         joints,
         curves: all.curves,
         body_loads,
+        contacts: if is_space {
+            Vec::new()
+        } else {
+            contacts::of(&wished.stated, &wishes.linkage, &wishes.functions.outline())
+        },
         samples: all.samples,
         powers: gathered.powers(),
         unknown,

@@ -2,6 +2,7 @@
 
 mod assemblies;
 mod circuits;
+mod contacts;
 mod describe;
 mod drive;
 mod forces;
