@@ -14,7 +14,7 @@ use super::quantity::Named;
 use super::sensitivity::ByDimension;
 use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
 use super::swept::{QuantityOfSweep, RateOfQuantity};
-use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
+use super::{Crossing, DwellRange, Extreme, ExtremeKind, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
@@ -336,7 +336,9 @@ impl<S: QuantitySource> SensitiveQuantity<S> for ByReaction<'_> {
         let quantity = (self.quantity.clone()?, self.order);
         let plan = &mut self.changing.borrow_mut();
         let change = station.change_of_reaction(sweep.changed(), self.reactions, plan, quantity, dimension)?;
-        ByDimension::of_change(station, change)
+        let (at, kind) = (station.variable.real(), ExtremeKind::Kink);
+        // the size of a force that is zero here, but not with other values of the dimension
+        ByDimension::of_change(station, change).map_err(|_| ExtremesError::NoSensitivity { at, kind })
     }
 }
 
@@ -736,7 +738,8 @@ impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
     /// ```
     ///
     /// # Errors
-    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
+    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink. For forces in joints also
+    /// [`ReactionError::ThisDesignOnly`], if bodies are rigid and contacts roll in this design alone.
     pub fn peak_sensitivities(&self) -> Result<PeakSensitivities, ExtremesError> {
         let order = self.sweep.untyped().description.order;
         self.quantity.check(self.sweep, order)?;

@@ -14,7 +14,7 @@ use crate::number::series::Series;
 use crate::number::{Changing, Number as _};
 
 impl NamedReactions<'_> {
-    /// The change of a quantity with a dimension, as a series in the variable.
+    /// The change of a quantity with a dimension, as a series in the variable. The plan is kept for other dimensions.
     pub(crate) fn change(
         &self,
         place: &ReactionPlace<'_>,
@@ -47,12 +47,10 @@ impl NamedReactions<'_> {
     fn check_beside(&self, place: &ReactionPlace<'_>, dimension: usize) -> Result<(), ReactionError> {
         let value = place.parameters[dimension];
         let step = if value == 0.0 { CHANGE } else { CHANGE * value };
-        let outline = place.functions.outline();
         let beside = |step: f64| {
             let mut parameters = place.parameters.to_vec();
             parameters[dimension] += step;
-            let all = place.influences(&parameters, &outline, &self.connections, None)?;
-            self.flanks(&all).map(|_| ())
+            self.touching(place, &parameters)
         };
         // the other side, where the mechanism does not close on the first one
         let found = match beside(step) {
@@ -60,7 +58,7 @@ impl NamedReactions<'_> {
             found => found,
         };
         match found {
-            Ok(()) | Err(ReactionError::Solve(_)) => Ok(()),
+            Ok(_) | Err(ReactionError::Solve(_)) => Ok(()),
             Err(error) => Err(ReactionError::ThisDesignOnly {
                 dimension: place.functions.description().parameters[dimension].name.to_string(),
                 reason: Box::new(error),

@@ -133,3 +133,59 @@ pub(super) fn is_nothing<S: PoseNumber, const N: usize>(series: SeriesOf<S, N>) 
     let mut terms = series.coefficients().into_iter();
     terms.all(|term| term.real() == 0.0 && !term.changes())
 }
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::{Changing, Series, SinglePose as _, changes, values, with_change};
+    use crate::number::Number as _;
+
+    type Fourth = Series<4>;
+
+    /// The length of a vector, and its change.
+    fn length(vector: [[[f64; 4]; 2]; 2]) -> Changing<Fourth> {
+        let parts = vector.map(|part| {
+            let [value, change] = part.map(Series::from_coefficients);
+            with_change(Changing::new(value, change))
+        });
+        let length = Changing::<f64>::length(&parts);
+        Changing::new(values(length), changes(length))
+    }
+
+    /// Where the vector is not zero, the root of the sum of its squares changes alike.
+    #[test]
+    fn lengths_change_along_their_vectors() {
+        let vector = [
+            [[3.0, 1.0, -0.5, 0.2], [0.7, 0.0, 0.3, -1.0]],
+            [[4.0, -2.0, 0.1, 0.0], [-0.2, 1.5, 0.0, 0.4]],
+        ];
+        let found = length(vector);
+        let square = vector
+            .into_iter()
+            .fold(Changing::constant(0.0), |sum, [value, change]| {
+                let part = Changing::new(Series::from_coefficients(value), Series::from_coefficients(change));
+                sum + part * part
+            });
+        let expected: Changing<Fourth> = square.sqrt();
+        for (found, expected) in [(found.value, expected.value), (found.change, expected.change)] {
+            let terms: Vec<_> = found.coefficients().into_iter().zip(expected.coefficients()).collect();
+            assert!(
+                terms.iter().all(|(found, expected)| (found - expected).abs() < 1e-14),
+                "{terms:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn zeros_change_along_no_vector() {
+        let nothing = [0.0; 4];
+        let still = length([[nothing; 2]; 2]);
+        assert_eq!(
+            (still.value.coefficients(), still.change.coefficients()),
+            (nothing, nothing)
+        );
+        let moved = length([[nothing, [1.0, 0.0, 0.0, 0.0]], [nothing; 2]]);
+        assert!(moved.value.coefficients() == nothing && !moved.change.is_finite());
+    }
+}

@@ -8,8 +8,10 @@ use super::action::Influence;
 use super::connection::{Connection, Member};
 use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, real, slope_of, unit};
 use super::{MovedNumber, NamedReactions, ReactionError, ReactionPlace};
+use crate::any::PositionChoice;
 use crate::geometry::Space;
 use crate::load::{NoSuchPlace, PlaceKind, PointIndex, PointPlace};
+use crate::motion::Motion;
 use crate::number::Number;
 use crate::quantity::Digits;
 
@@ -247,6 +249,23 @@ impl NamedReactions<'_> {
         Ok(self)
     }
 
+    /// Whether the bodies of all contacts roll on each other in a position. The forces in joints ask for the same.
+    ///
+    /// # Errors
+    /// [`ReactionError::Rolling`] for a contact that does not roll, and those of a mechanism that has no pose there.
+    pub fn check_contacts(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<(), ReactionError> {
+        let inputs: Vec<Motion> = inputs.iter().copied().map(Motion::constant).collect();
+        let unknowns = self.unknowns_at(&inputs, choice)?;
+        let place = self.place(&inputs, &unknowns);
+        self.touching(&place, place.parameters).map(|_| ())
+    }
+
+    /// How contacts touch in a design at a place. Bodies must be rigid, and contacts roll.
+    pub(super) fn touching(&self, place: &ReactionPlace<'_>, parameters: &[f64]) -> Result<Vec<Flank>, ReactionError> {
+        let outline = place.functions.outline();
+        self.flanks(&place.influences(parameters, &outline, &self.connections, None)?)
+    }
+
     /// Where contacts touch at a place, none of what is no contact.
     pub(super) fn pitch_points(
         &self,
@@ -256,8 +275,7 @@ impl NamedReactions<'_> {
         if self.connections.iter().all(|own| own.mesh.is_none()) {
             return Ok(Vec::new());
         }
-        let outline = self.functions.outline();
-        let flanks = self.flanks(&place.influences(place.parameters, &outline, &self.connections, None)?)?;
+        let flanks = self.touching(place, place.parameters)?;
         let all = self.connections.iter().zip(flanks);
         Ok(all
             .map(|(own, flank)| Some(real(own.mesh?.pitch_point(moved, flank.side).at)))

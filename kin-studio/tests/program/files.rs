@@ -313,6 +313,9 @@ fn gears_and_racks() {
         "run rack_press.kin sweep --rows 3 --columns teeth_x,teeth_y,teeth_force_rate --set sector=65mm",
         "forces bare.kin",
         "forces slips.kin",
+        "check slips.kin",
+        "check --json slips.kin",
+        "check rack_press.kin",
         "fmt --check rack_press.kin",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
