@@ -82,8 +82,8 @@ pub(super) fn solve<S: SinglePose, const N: usize>(
         system.grown(contraction)?
     };
     let mut loads: Vec<SeriesOf<S, N>> = values.into_iter().map(SeriesOf::constant).collect();
-    // A pass doubles the orders that are right, or adds one where a force passes through zero. A derivative by something
-    // else than the variable is one order more.
+    // A pass doubles the orders that are right, or adds one where a force passes through zero. A derivative with
+    // respect to a dimension is one order more.
     let orders = N + S::ORDER;
     let doubled = (usize::BITS - (orders - 1).leading_zeros()) as usize;
     let (mut pass, mut passes) = (0, doubled);

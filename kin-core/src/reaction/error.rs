@@ -141,8 +141,8 @@ pub enum ReactionError {
         /// The factor by which each of them should contract.
         contraction: f64,
     },
-    /// The forces have no derivative with respect to a dimension, as bodies are rigid and contacts roll with its present
-    /// value alone.
+    /// The forces have no derivative with respect to a dimension, as bodies are rigid and contacts roll with its
+    /// present value alone.
     ThisDesignOnly {
         /// The dimension.
         dimension: String,

@@ -187,6 +187,7 @@ impl NamedReactions<'_> {
     /// let loads = linkage.loads().torque(-30.0, "phi")?;
     /// let gears = Rolling::gears(Plane::zero(), "pivot", [0.02, 0.06]).at_pressure_angle(20_f64.to_radians());
     /// let reactions = linkage.reactions(&loads)?.rolling("mesh", ["pinion", "wheel"], gears)?;
+    /// reactions.check_contacts(&[0.3], PositionChoice::Assembly(0))?;
     /// let found = reactions.at(&[Motion::at_constant_speed(0.3, 5.0)], PositionChoice::Assembly(0))?;
     /// let [force, ..] = found.of("mesh")?.magnitude();
     /// assert!((force - 500.0 / 20_f64.to_radians().cos()).abs() < 1e-10);
@@ -249,7 +250,8 @@ impl NamedReactions<'_> {
         Ok(self)
     }
 
-    /// Whether the bodies of all contacts roll on each other in a position. The forces in joints ask for the same.
+    /// Whether the bodies of all contacts roll on each other in a position, as in the example of
+    /// [`rolling`](Self::rolling). The forces in joints ask for the same.
     ///
     /// # Errors
     /// [`ReactionError::Rolling`] for a contact that does not roll, and those of a mechanism that has no pose there.

@@ -119,8 +119,8 @@ fn differences<M: Mechanism<Scalar = f64>>(
     core::array::from_fn(|order| (45.0 * one[order] - 9.0 * two[order] + three[order]) / (60.0 * step))
 }
 
-/// Compares with differences where the peak is. There, a force F has the change F_d, and its place moves by -F_td /
-/// F_tt.
+/// Compares with differences where the peak is. There, a force F of the angle θ changes with a dimension d by ∂F/∂d,
+/// and its place moves by -(∂²F/∂θ∂d) / (∂²F/∂θ²).
 fn agree<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     order: usize,
