@@ -14,11 +14,11 @@ use super::quantity::Named;
 use super::sensitivity::ByDimension;
 use super::station::{ChangedFunctions, NamedFunctions, SweepStation};
 use super::swept::{QuantityOfSweep, RateOfQuantity};
-use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
+use super::{Crossing, DwellRange, Extreme, ExtremeKind, ExtremesError, Mean, Over, Peak, PeakSensitivities};
 use crate::any::Of;
 use crate::load::{EFFORT_ENTRIES, LoadError, NamedLoads};
 use crate::mechanism::{JacobianError, JacobianMeasure, Mechanism, rows_of};
-use crate::number::Number;
+use crate::number::{Changing, Number};
 use crate::reaction::{NamedReactions, Plan, ReactionError, ReactionQuantity, Reactions};
 use crate::sweep::{Local, SmoothDrive, Sweep, UntypedSweep};
 
@@ -299,6 +299,8 @@ pub struct ByReaction<'q> {
     order: usize,
     /// A sweep stays in one assembly.
     plan: RefCell<Option<Plan>>,
+    /// The same for numbers that change with a dimension.
+    changing: RefCell<Option<Plan<Changing<f64>>>>,
 }
 
 impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
@@ -315,11 +317,9 @@ impl<S: QuantitySource> AskedQuantity<S> for ByReaction<'_> {
     /// Friction jumps where the motion in a joint turns back.
     fn jumps(&self, sweep: &S) -> Result<Vec<f64>, ExtremesError> {
         let mut jumps = Vec::new();
-        if let Ok(ReactionQuantity::JointSpeed(_)) = self.quantity {
-            return Ok(jumps);
-        }
-        for quantity in self.reactions.speeds_with_friction() {
-            let speed = QuantityAlong::by_reaction(sweep, self.reactions, Ok(quantity), 0);
+        for joint in 0..self.reactions.joints_with_friction() {
+            let reactions = self.reactions;
+            let speed = QuantityAlong::new(sweep, ByJointSpeed { reactions, joint });
             jumps.extend(speed.crossings(0.0)?.into_iter().map(|crossing| crossing.at));
         }
         Ok(jumps)
@@ -333,7 +333,28 @@ impl<S: QuantitySource> SensitiveQuantity<S> for ByReaction<'_> {
         station: &SweepStation<'_>,
         dimension: usize,
     ) -> Result<ByDimension, ExtremesError> {
-        ByDimension::of_differences(station, dimension, |station| self.at(sweep, station))
+        let quantity = (self.quantity.clone()?, self.order);
+        let plan = &mut self.changing.borrow_mut();
+        let change = station.change_of_reaction(sweep.changed(), self.reactions, plan, quantity, dimension)?;
+        let (at, kind) = (station.variable.real(), ExtremeKind::Kink);
+        // the size of a force that is zero here, but not with other values of the dimension
+        ByDimension::of_change(station, change).map_err(|_| ExtremesError::NoSensitivity { at, kind })
+    }
+}
+
+/// The speed of the motion in a joint with friction.
+struct ByJointSpeed<'q> {
+    reactions: &'q NamedReactions<'q>,
+    joint: usize,
+}
+
+impl<S: QuantitySource> AskedQuantity<S> for ByJointSpeed<'_> {
+    fn check(&self, _: &S, _: usize) -> Result<(), ExtremesError> {
+        Ok(())
+    }
+
+    fn at(&self, sweep: &S, station: &SweepStation<'_>) -> Result<Local, ExtremesError> {
+        station.joint_speed(sweep.changed(), self.reactions, self.joint)
     }
 }
 
@@ -497,6 +518,7 @@ impl<'c, 'q, S: QuantitySource> QuantityAlong<'c, S, ByReaction<'q>> {
                 quantity,
                 order,
                 plan: RefCell::default(),
+                changing: RefCell::default(),
             },
         )
     }
@@ -716,7 +738,8 @@ impl<S: QuantitySource, Q: SensitiveQuantity<S>> QuantityAlong<'_, S, Q> {
     /// ```
     ///
     /// # Errors
-    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
+    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink. For forces in joints also
+    /// [`ReactionError::ThisDesignOnly`], if bodies are rigid and contacts roll in this design alone.
     pub fn peak_sensitivities(&self) -> Result<PeakSensitivities, ExtremesError> {
         let order = self.sweep.untyped().description.order;
         self.quantity.check(self.sweep, order)?;

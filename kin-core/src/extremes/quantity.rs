@@ -95,9 +95,7 @@ impl Named {
         match (self.result(), self.kind) {
             (Some(result), _) => {
                 let change = station.change(functions, result, self.order, dimension);
-                let change = station.finite(change.map_err(|_| gap(station))?)?;
-                let [value, slope, ..] = change.derivatives();
-                Ok(ByDimension { value, slope })
+                ByDimension::of_change(station, change.map_err(|_| gap(station))?)
             }
             (None, Kind::Margin) => ByDimension::of_expression(station, dimension, |station, changed| {
                 let margins = station.changed_margins(functions, changed);

@@ -4,15 +4,11 @@
 //! point, and the point itself moves by minus the mixed second derivative over the bend. (A. E. Bryson & Y.-C. Ho,
 //! *Applied Optimal Control*, Hemisphere 1975, section 1.2, or any text on the envelope theorem.)
 //!
-//! The mixed derivative of a quantity called by its name comes with the value, from a position in series of the
-//! variable that change with the dimension. That of an expression comes from two series in which variable and dimension
-//! change together: with the second-order terms c₊ and c₋ in the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
-//!
-//! Forces in joints are series in the variable alone. Their value and slope are known to rounding with any dimensions,
-//! so differences of both are extrapolated until rounding stops them. (C. J. F. Ridders, Accurate computation of F'(x)
-//! and F'(x) F''(x), *Advances in Engineering Software* 4, 1982, 75-76.)
+//! The mixed derivative of a quantity called by its name, or of a force in a joint, comes with the value, from a
+//! position in series of the variable that change with the dimension. That of an expression comes from two series in
+//! which variable and dimension change together: with the second-order terms c₊ and c₋ in the directions (1, 1) and
+//! (1, -1), it is (c₊ - c₋) / 2.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use super::ExtremesError;
@@ -81,77 +77,12 @@ impl ByDimension {
         })
     }
 
-    /// The derivatives of a quantity that is known with any dimensions.
-    pub(super) fn of_differences(
-        station: &SweepStation<'_>,
-        dimension: usize,
-        quantity: impl Fn(&SweepStation<'_>) -> Result<Local, ExtremesError>,
-    ) -> Result<Self, ExtremesError> {
-        let value = station.parameters[dimension];
-        let largest = station
-            .parameters
-            .iter()
-            .fold(0.0, |size: f64, own| size.max(own.abs()));
-        let size = [value.abs(), largest, 1.0].into_iter().find(|size| *size > 0.0);
-        let changed = |step: f64| {
-            let mut parameters = station.parameters.clone();
-            parameters[dimension] += step;
-            let moved = SweepStation {
-                parameters,
-                ..station.clone()
-            };
-            let [value, slope, ..] = station.finite(quantity(&moved)?)?.coefficients();
-            Ok::<_, ExtremesError>([value, slope])
-        };
-        let mut step = size.unwrap_or(1.0) * FIRST_STEP;
-        let mut table: Vec<[f64; 2]> = Vec::new();
-        // each with the error of its extrapolation
-        let mut best = [(0.0, f64::INFINITY); 2];
-        let mut failed = None;
-        for _ in 0..STEPS {
-            step *= 0.5;
-            let [above, below] = match (changed(step), changed(-step)) {
-                (Ok(above), Ok(below)) => [above, below],
-                (Err(error), _) | (_, Err(error)) => {
-                    failed = Some(error);
-                    table.clear();
-                    continue;
-                }
-            };
-            let mut own = [0, 1].map(|part| (above[part] - below[part]) / (2.0 * step));
-            let mut factor = 1.0;
-            let mut row = vec![own];
-            for before in &table {
-                factor *= 4.0;
-                let next = [0, 1].map(|part| own[part] + (own[part] - before[part]) / (factor - 1.0));
-                for (part, best) in best.iter_mut().enumerate() {
-                    let error = (next[part] - own[part]).abs().max((next[part] - before[part]).abs());
-                    if error < best.1 {
-                        *best = (next[part], error);
-                    }
-                }
-                own = next;
-                row.push(own);
-            }
-            table = row;
-        }
-        let [(value, of_value), (slope, of_slope)] = best;
-        let [middle, _] = changed(0.0)?;
-        let scale = (middle / size.unwrap_or(1.0)).abs();
-        if of_value <= SMOOTH * scale.max(value.abs()) && of_slope.is_finite() {
-            return Ok(Self { value, slope });
-        }
-        let (at, kind) = (station.variable.real(), ExtremeKind::Kink);
-        Err(failed.unwrap_or(ExtremesError::NoSensitivity { at, kind }))
+    /// The derivatives of a quantity whose change with a dimension is a series of the variable.
+    pub(super) fn of_change(station: &SweepStation<'_>, change: Local) -> Result<Self, ExtremesError> {
+        let [value, slope, ..] = station.finite(change)?.derivatives();
+        Ok(Self { value, slope })
     }
 }
-
-/// The first step of differences is half of this part of the dimension.
-const FIRST_STEP: f64 = 1.0 / 16.0;
-/// Where extrapolations differ by more than this part, the quantity has no derivative.
-const SMOOTH: f64 = 1e-6;
-/// So often the step is halved.
-const STEPS: usize = 9;
 
 impl QuantityOfSweep<'_> {
     /// The value that is largest in size, and how it depends on every dimension.

@@ -306,6 +306,20 @@ impl SweepStation<'_> {
         found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))
     }
 
+    /// The change of a force in a joint, an effort or a power, or of one of its rates, with a dimension.
+    pub(super) fn change_of_reaction(
+        &self,
+        functions: &dyn ChangedFunctions,
+        reactions: &NamedReactions<'_>,
+        plan: &mut Option<Plan<Changing<f64>>>,
+        (quantity, order): (ReactionQuantity, usize),
+        dimension: usize,
+    ) -> Result<Local, ExtremesError> {
+        let change = reactions.change(&self.reaction_place(functions), plan, quantity, dimension);
+        let change = change.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
+        Ok(self.by_time(&change.derivatives(), order))
+    }
+
     /// A force in a joint, an effort or a power, or one of its rates.
     pub(super) fn reaction(
         &self,
@@ -318,6 +332,18 @@ impl SweepStation<'_> {
         let found = reactions.quantity(&self.reaction_place(functions), plan, quantity);
         let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
         Ok(self.by_time(&found.derivatives(), order))
+    }
+
+    /// The speed of the motion in a joint with friction, by its place among them.
+    pub(super) fn joint_speed(
+        &self,
+        functions: &dyn ChangedFunctions,
+        reactions: &NamedReactions<'_>,
+        joint: usize,
+    ) -> Result<Local, ExtremesError> {
+        let found = reactions.joint_speed(&self.reaction_place(functions), joint);
+        let found = found.map_err(|error| ExtremesError::of_reaction(self.variable.real(), error))?;
+        Ok(self.by_time(&found.derivatives(), 0))
     }
 
     /// [`margins`](Self::margins) of dimensions that change with the parameter in which the variable is a series.

@@ -13,7 +13,7 @@
 use alloc::vec::Vec;
 
 use super::Number;
-use super::series::Series;
+use super::series::{Series, SeriesOf};
 
 /// The most passes over all pairs. Six are enough for numbers.
 const PASSES: usize = 24;
@@ -254,10 +254,10 @@ fn first_order<const N: usize, const C: usize>(series: [Series<N>; C]) -> usize 
 }
 
 /// The series over a power of its variable. The last terms are not known, and are zero.
-pub(crate) fn shifted<const N: usize>(series: Series<N>, order: usize) -> Series<N> {
+pub(crate) fn shifted<T: Number, const N: usize>(series: SeriesOf<T, N>, order: usize) -> SeriesOf<T, N> {
     let coefficients = series.coefficients();
-    Series::from_coefficients(core::array::from_fn(|power| {
-        coefficients.get(power + order).copied().unwrap_or(0.0)
+    SeriesOf::from_coefficients(core::array::from_fn(|power| {
+        coefficients.get(power + order).copied().unwrap_or(T::constant(0.0))
     }))
 }
 

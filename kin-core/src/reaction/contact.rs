@@ -9,19 +9,20 @@ use super::coulomb::{self, Contact, Measure, Unsolved};
 use super::equations::{Equations, Solution, Unknown};
 use super::frames::along_axis;
 use super::friction::{ActingFriction, Friction};
+use super::pose_number::SinglePose;
 use crate::number::Number;
-use crate::number::series::Series;
+use crate::number::series::SeriesOf;
 
-impl<const N: usize> Equations<'_, Series<N>> {
+impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
     /// The forces with friction, from those without it and from what a unit of the friction of each joint changes in
     /// them.
     pub(super) fn with_friction(
         &self,
         unknowns: &[Unknown],
-        mut values: Vec<Series<N>>,
+        mut values: Vec<SeriesOf<S, N>>,
         is_open: &[bool],
-        responses: &[Vec<Series<N>>],
-    ) -> Result<Solution<N>, ReactionError> {
+        responses: &[Vec<SeriesOf<S, N>>],
+    ) -> Result<Solution<N, S>, ReactionError> {
         let open = self.open_connections(unknowns, is_open);
         if let Some(acting) = self.frictions.iter().find(|acting| open.contains(&acting.connection)) {
             let name = |connection: usize| self.connections[connection].name.clone();
@@ -48,9 +49,9 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// What a unit of friction lacks on all bodies: the opposite of its own forces.
-    pub(super) fn resisting(&self, acting: &ActingFriction<Series<N>>) -> Vec<Series<N>> {
+    pub(super) fn resisting(&self, acting: &ActingFriction<SeriesOf<S, N>>) -> Vec<SeriesOf<S, N>> {
         let own = &self.connections[acting.connection];
-        let sense = Series::constant(acting.sense);
+        let sense = SeriesOf::constant(acting.sense);
         self.flat_column(&match own.slide {
             None => Exertion::of_couple([own.on, own.by], along_axis(2).scale(sense)),
             Some(slide) => self.of_force(acting.connection, self.moved.along(slide).scale(sense)),
@@ -61,10 +62,10 @@ impl<const N: usize> Equations<'_, Series<N>> {
     fn coulomb(
         &self,
         unknowns: &[Unknown],
-        values: &[Series<N>],
-        responses: &[Vec<Series<N>>],
-    ) -> Result<coulomb::FrictionLoads<N>, ReactionError> {
-        let contact = |acting: &ActingFriction<Series<N>>| {
+        values: &[SeriesOf<S, N>],
+        responses: &[Vec<SeriesOf<S, N>>],
+    ) -> Result<coulomb::FrictionLoads<N, S>, ReactionError> {
+        let contact = |acting: &ActingFriction<SeriesOf<S, N>>| {
             // the weight of an unknown in the two parts of the force
             let weight = |unknown: &Unknown| match (*unknown, acting.friction) {
                 (own, _) if own.connection() != Some(acting.connection) => [0.0; 2],
@@ -80,11 +81,11 @@ impl<const N: usize> Equations<'_, Series<N>> {
                 ) => [0.0, coefficient * 2.0 / length],
                 _ => [0.0; 2],
             };
-            let parts = |values: &[Series<N>]| {
-                let mut parts = vec![Series::ZERO; 2];
+            let parts = |values: &[SeriesOf<S, N>]| {
+                let mut parts = vec![SeriesOf::constant(0.0); 2];
                 for (unknown, value) in unknowns.iter().zip(values) {
                     for (part, weight) in parts.iter_mut().zip(weight(unknown)) {
-                        *part = *part + Series::constant(weight) * *value;
+                        *part = *part + SeriesOf::constant(weight) * *value;
                     }
                 }
                 parts
@@ -99,7 +100,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
                 changes: responses.iter().map(|response| parts(response)).collect(),
             }
         };
-        let contacts: Vec<Contact<Series<N>>> = self.frictions.iter().map(contact).collect();
+        let contacts: Vec<Contact<SeriesOf<S, N>>> = self.frictions.iter().map(contact).collect();
         let names = |contacts: Vec<usize>| {
             let names = contacts.into_iter().map(|contact| self.frictions[contact].connection);
             names
@@ -116,11 +117,11 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// Adds friction to the forces and moments of connections, which are what both bodies exert on each other.
-    fn add_friction(&self, solution: &mut Solution<N>, found: &coulomb::FrictionLoads<N>) {
+    fn add_friction(&self, solution: &mut Solution<N, S>, found: &coulomb::FrictionLoads<N, S>) {
         solution.contraction = found.contraction;
         for (acting, load) in self.frictions.iter().zip(&found.loads) {
             let connection = acting.connection;
-            let own = Series::constant(-acting.sense) * *load;
+            let own = SeriesOf::constant(-acting.sense) * *load;
             solution.frictions[connection] = own;
             solution.heat = solution.heat - own * acting.rate;
             solution.begun_heat += load.real() * acting.speed.abs();

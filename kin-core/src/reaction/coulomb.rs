@@ -10,7 +10,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::number::series::Series;
+use super::pose_number::SinglePose;
+use crate::number::series::SeriesOf;
 use crate::number::{Number, shifted};
 use crate::solve::{FactorRow, Scalar, factor_in, substitute_in};
 
@@ -35,8 +36,8 @@ pub(super) struct Contact<T> {
 
 /// The friction of all contacts.
 #[derive(Clone, Debug)]
-pub(super) struct FrictionLoads<const N: usize> {
-    pub(super) loads: Vec<Series<N>>,
+pub(super) struct FrictionLoads<const N: usize, S = f64> {
+    pub(super) loads: Vec<SeriesOf<S, N>>,
     /// The factor by which the right side contracts; from one on, it is not known to.
     pub(super) contraction: f64,
 }
@@ -65,10 +66,10 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The friction of contacts. On the left side of a place, `parity` is -1: odd powers of the variable are negative
 /// there.
-pub(super) fn solve<const N: usize>(
-    contacts: &[Contact<Series<N>>],
+pub(super) fn solve<S: SinglePose, const N: usize>(
+    contacts: &[Contact<SeriesOf<S, N>>],
     parity: f64,
-) -> Result<FrictionLoads<N>, Unsolved> {
+) -> Result<FrictionLoads<N, S>, Unsolved> {
     let reals: Vec<Contact<f64>> = contacts.iter().map(real).collect();
     let (contraction, weights) = contraction(&reals);
     let system = System {
@@ -80,16 +81,18 @@ pub(super) fn solve<const N: usize>(
     } else {
         system.grown(contraction)?
     };
-    let mut loads: Vec<Series<N>> = values.into_iter().map(Series::constant).collect();
-    // a pass doubles the terms that are right, or adds one where a force passes through zero
-    let doubled = (usize::BITS - (N - 1).leading_zeros()) as usize;
+    let mut loads: Vec<SeriesOf<S, N>> = values.into_iter().map(SeriesOf::constant).collect();
+    // A pass doubles the orders that are right, or adds one where a force passes through zero. A derivative with
+    // respect to a dimension is one order more.
+    let orders = N + S::ORDER;
+    let doubled = (usize::BITS - (orders - 1).leading_zeros()) as usize;
     let (mut pass, mut passes) = (0, doubled);
     while pass < passes {
         let mut directions = Vec::with_capacity(contacts.len());
         for contact in contacts {
             let (direction, is_zero) = direction(contact, &loads, parity);
             if is_zero {
-                passes = N;
+                passes = orders;
             }
             directions.push(direction);
         }
@@ -103,8 +106,8 @@ pub(super) fn solve<const N: usize>(
     Ok(FrictionLoads { loads, contraction })
 }
 
-fn real<const N: usize>(contact: &Contact<Series<N>>) -> Contact<f64> {
-    let reals = |parts: &Vec<Series<N>>| parts.iter().map(|part| part.real()).collect();
+fn real<S: SinglePose, const N: usize>(contact: &Contact<SeriesOf<S, N>>) -> Contact<f64> {
+    let reals = |parts: &Vec<SeriesOf<S, N>>| parts.iter().map(|part| part.real()).collect();
     Contact {
         measure: contact.measure,
         bare: reals(&contact.bare),
@@ -328,35 +331,39 @@ impl System<'_> {
 
 /// The slope of a measure along its parts as series, and whether the parts pass through zero. There, the slope is that
 /// beside the zero.
-fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], parity: f64) -> (Vec<Series<N>>, bool) {
+fn direction<S: SinglePose, const N: usize>(
+    contact: &Contact<SeriesOf<S, N>>,
+    loads: &[SeriesOf<S, N>],
+    parity: f64,
+) -> (Vec<SeriesOf<S, N>>, bool) {
     let parts = contact.parts(loads);
     let values: Vec<f64> = loads.iter().map(|load| load.real()).collect();
     let rounding = ROUNDING * real(contact).size(&values);
     let sign_of = |order: usize| if order.is_multiple_of(2) { 1.0 } else { parity };
-    let begins = |part: &Series<N>, order: usize| {
+    let begins = |part: &SeriesOf<S, N>, order: usize| {
         let least = if order == 0 { rounding } else { 0.0 };
-        part.coefficients()[order].abs() > least
+        part.coefficients()[order].real().abs() > least
     };
     let Some(order) = (0..N).find(|order| parts.iter().any(|part| begins(part, *order))) else {
-        return (vec![Series::ZERO; parts.len()], true);
+        return (vec![SeriesOf::constant(0.0); parts.len()], true);
     };
     let direction = match contact.measure {
         Measure::Length => {
-            let parts: Vec<Series<N>> = parts.iter().map(|part| shifted(*part, order)).collect();
+            let parts: Vec<SeriesOf<S, N>> = parts.iter().map(|part| shifted(*part, order)).collect();
             let largest = parts
                 .iter()
                 .fold(0.0, |largest: f64, part| largest.max(part.real().abs()));
-            let scaled = |part: &Series<N>| *part / Series::constant(largest);
+            let scaled = |part: &SeriesOf<S, N>| *part / SeriesOf::constant(largest);
             let square = parts
                 .iter()
-                .fold(Series::ZERO, |sum, part| sum + scaled(part) * scaled(part));
-            let length = square.sqrt() * Series::constant(sign_of(order));
+                .fold(SeriesOf::constant(0.0), |sum, part| sum + scaled(part) * scaled(part));
+            let length = square.sqrt() * SeriesOf::constant(sign_of(order));
             parts.iter().map(|part| scaled(part) / length).collect()
         }
         Measure::Largest => {
             // the sizes of the terms in the order in which they count beside the place
             let sizes = parts.iter().map(|part| {
-                let mut terms = part.coefficients();
+                let mut terms = part.coefficients().map(Number::real);
                 if terms[0].abs() <= rounding {
                     terms[0] = 0.0;
                 }
@@ -377,7 +384,7 @@ fn direction<const N: usize>(contact: &Contact<Series<N>>, loads: &[Series<N>], 
             };
             let largest = (0..parts.len()).max_by(compare);
             let entry = |part: usize| if Some(part) == largest { sizes[part].1 } else { 0.0 };
-            (0..parts.len()).map(|part| Series::constant(entry(part))).collect()
+            (0..parts.len()).map(|part| SeriesOf::constant(entry(part))).collect()
         }
     };
     (direction, order > 0)

@@ -10,7 +10,7 @@ use super::connection::{Connection, Member, balls, holders};
 use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, between, real, times};
 use super::friction::ActingFriction;
 use super::ordered::OrderedSystem;
-use super::pose_number::PoseNumber;
+use super::pose_number::{PoseNumber, SinglePose};
 use super::rank::{Rank, largest, rank};
 use super::rolling::{Flank, Mesh, PitchPoint};
 use super::{ReactionError, ReactionPart, size};
@@ -132,21 +132,9 @@ impl<S: PoseNumber, const N: usize> Solution<N, S> {
     }
 }
 
-impl<const N: usize> Solution<N> {
-    /// The first terms of all forces, moments and efforts.
-    pub(super) fn resized<const M: usize>(&self) -> Solution<M> {
-        let determined = |own: &Determined<N>| own.map(|series| series.resized());
-        let vector = |own: &DeterminedVector<N>| DeterminedVector(own.0.map(|own| determined(&own)));
-        Solution {
-            forces: self.forces.iter().map(vector).collect(),
-            moments: self.moments.iter().map(vector).collect(),
-            efforts: self.efforts.iter().map(determined).collect(),
-            ..Solution::empty(self.is_space, self.forces.len(), 0)
-        }
-    }
-
+impl<S: SinglePose, const N: usize> Solution<N, S> {
     /// One part of the force of a connection.
-    pub(super) fn part(&self, index: usize, part: ReactionPart) -> Determined<N> {
+    pub(super) fn part(&self, index: usize, part: ReactionPart) -> Determined<N, S> {
         let (force, moment) = (self.forces[index], self.moments[index]);
         match part {
             ReactionPart::X => force.0[0],
@@ -157,6 +145,20 @@ impl<const N: usize> Solution<N> {
             ReactionPart::MomentX => moment.0[0],
             ReactionPart::MomentY => moment.0[1],
             ReactionPart::Moment | ReactionPart::MomentZ => moment.0[2],
+        }
+    }
+}
+
+impl<const N: usize> Solution<N> {
+    /// The first terms of all forces, moments and efforts.
+    pub(super) fn resized<const M: usize>(&self) -> Solution<M> {
+        let determined = |own: &Determined<N>| own.map(|series| series.resized());
+        let vector = |own: &DeterminedVector<N>| DeterminedVector(own.0.map(|own| determined(&own)));
+        Solution {
+            forces: self.forces.iter().map(vector).collect(),
+            moments: self.moments.iter().map(vector).collect(),
+            efforts: self.efforts.iter().map(determined).collect(),
+            ..Solution::empty(self.is_space, self.forces.len(), 0)
         }
     }
 
@@ -283,18 +285,18 @@ pub(super) struct Equations<'e, T> {
     pub(super) parity: f64,
 }
 
-impl<const N: usize> Equations<'_, Series<N>> {
+impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
     /// The forces with which the bodies move as they do, from what each lacks without them.
     pub(super) fn solve(
         &self,
         unknowns: &[Unknown],
-        columns: &[Vec<Series<N>>],
-        right: &[Series<N>],
-    ) -> Result<Solution<N>, ReactionError> {
+        columns: &[Vec<SeriesOf<S, N>>],
+        right: &[SeriesOf<S, N>],
+    ) -> Result<Solution<N, S>, ReactionError> {
         let basis = self.basis(unknowns, columns)?;
         let chosen: Vec<_> = basis.iter().map(|column| columns[*column].clone()).collect();
         let mut system = OrderedSystem::of(&chosen).ok_or(ReactionError::NotFinite)?;
-        let mut values = vec![Series::ZERO; unknowns.len()];
+        let mut values = vec![SeriesOf::constant(0.0); unknowns.len()];
         for (column, value) in basis.iter().zip(system.solve(right)) {
             values[*column] = *value;
         }
@@ -308,7 +310,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
             }
         }
         self.completed(unknowns, values, &is_open, |own| {
-            let mut response = vec![Series::ZERO; unknowns.len()];
+            let mut response = vec![SeriesOf::constant(0.0); unknowns.len()];
             for (column, value) in basis.iter().zip(system.solve(own)) {
                 response[*column] = *value;
             }
@@ -319,10 +321,10 @@ impl<const N: usize> Equations<'_, Series<N>> {
     /// The same in a planned order; none if it does not fit.
     pub(super) fn solve_in(
         &self,
-        system: &mut OrderedSystem<N>,
+        system: &mut OrderedSystem<N, S>,
         unknowns: &[Unknown],
-        right: &[Series<N>],
-    ) -> Result<Option<Solution<N>>, ReactionError> {
+        right: &[SeriesOf<S, N>],
+    ) -> Result<Option<Solution<N, S>>, ReactionError> {
         let mut columns = unknowns.iter().enumerate();
         if !columns.all(|(column, unknown)| self.fill(system, column, *unknown)) || !system.factor() {
             return Ok(None);
@@ -337,10 +339,10 @@ impl<const N: usize> Equations<'_, Series<N>> {
     pub(super) fn completed(
         &self,
         unknowns: &[Unknown],
-        values: Vec<Series<N>>,
+        values: Vec<SeriesOf<S, N>>,
         is_open: &[bool],
-        mut response: impl FnMut(&[Series<N>]) -> Vec<Series<N>>,
-    ) -> Result<Solution<N>, ReactionError> {
+        mut response: impl FnMut(&[SeriesOf<S, N>]) -> Vec<SeriesOf<S, N>>,
+    ) -> Result<Solution<N, S>, ReactionError> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
@@ -353,7 +355,11 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// The unknowns that hold the bodies, by their indices.
-    pub(super) fn basis(&self, unknowns: &[Unknown], columns: &[Vec<Series<N>>]) -> Result<Vec<usize>, ReactionError> {
+    pub(super) fn basis(
+        &self,
+        unknowns: &[Unknown],
+        columns: &[Vec<SeriesOf<S, N>>],
+    ) -> Result<Vec<usize>, ReactionError> {
         let reals: Vec<Vec<f64>> = columns.iter().map(|column| reals(column)).collect();
         let Rank { basis, null, pivot } = rank(&reals);
         if unknowns.len() < self.rows.count() {
@@ -367,7 +373,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// The forces of a unit of each unknown.
-    pub(super) fn columns(&self, unknowns: &[Unknown]) -> Vec<Vec<Series<N>>> {
+    pub(super) fn columns(&self, unknowns: &[Unknown]) -> Vec<Vec<SeriesOf<S, N>>> {
         unknowns.iter().map(|unknown| self.column(*unknown)).collect()
     }
 
@@ -431,7 +437,7 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// Which bodies can move though the inputs stand.
-    fn free(&self, columns: &[Vec<Series<N>>]) -> ReactionError {
+    fn free(&self, columns: &[Vec<SeriesOf<S, N>>]) -> ReactionError {
         let freedoms = self.freedoms(columns);
         let moves =
             |motion: &Vec<f64>, body: usize| largest(&motion[self.rows.of_body(body)]) > NO_PART * largest(motion);
@@ -466,14 +472,14 @@ impl<const N: usize> Equations<'_, Series<N>> {
     }
 
     /// The motions of the bodies that no column resists: a velocity and a rate of turning for each.
-    fn freedoms(&self, columns: &[Vec<Series<N>>]) -> Vec<Vec<f64>> {
+    fn freedoms(&self, columns: &[Vec<SeriesOf<S, N>>]) -> Vec<Vec<f64>> {
         let rows: Vec<Vec<f64>> = (0..self.rows.count())
             .map(|row| columns.iter().map(|column| column[row].real()).collect())
             .collect();
         rank(&rows).null
     }
 
-    pub(super) fn solution(&self, unknowns: &[Unknown], values: &[Series<N>], is_open: &[bool]) -> Solution<N> {
+    pub(super) fn solution(&self, unknowns: &[Unknown], values: &[SeriesOf<S, N>], is_open: &[bool]) -> Solution<N, S> {
         let mut solution = Solution::empty(self.moved.is_space, self.connections.len(), self.drives.len());
         self.write(unknowns, values, |unknown| is_open[unknown], &mut solution);
         solution
@@ -768,7 +774,7 @@ fn turning<T: MovingNumber>(
 /// What is at most this part of the largest is rounding.
 const NO_PART: f64 = 1e-9;
 
-fn reals<const N: usize>(column: &[Series<N>]) -> Vec<f64> {
+fn reals<S: SinglePose, const N: usize>(column: &[SeriesOf<S, N>]) -> Vec<f64> {
     column.iter().map(|entry| entry.real()).collect()
 }
 
@@ -777,19 +783,23 @@ const TERMS: usize = 3;
 
 /// Which unknowns of the basis take part in a combination that is zero, by the sizes of their forces beside that of the
 /// column itself.
-fn open<const N: usize>(
-    parts: &[Series<N>],
+fn open<S: SinglePose, const N: usize>(
+    parts: &[SeriesOf<S, N>],
     basis: &[usize],
-    columns: &[Vec<Series<N>>],
-    own: &[Series<N>],
+    columns: &[Vec<SeriesOf<S, N>>],
+    own: &[SeriesOf<S, N>],
 ) -> Vec<bool> {
-    let size = |column: &[Series<N>]| {
+    let size = |column: &[SeriesOf<S, N>]| {
         column
             .iter()
             .fold(0.0, |largest: f64, entry| largest.max(entry.real().abs()))
     };
     let sizes: Vec<f64> = basis.iter().map(|column| size(&columns[*column])).collect();
-    let terms = |index: usize| parts[index].coefficients().map(|term| (term * sizes[index]).abs());
+    let terms = |index: usize| {
+        parts[index]
+            .coefficients()
+            .map(|term| (term.real() * sizes[index]).abs())
+    };
     let all = (0..parts.len()).flat_map(|index| terms(index).into_iter().take(TERMS));
     let largest = all.fold(size(own), f64::max);
     let takes_part = |index: usize| {

@@ -1,5 +1,6 @@
 //! The reasons why reactions are not found.
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::error::Error;
@@ -139,6 +140,14 @@ pub enum ReactionError {
         steps: usize,
         /// The factor by which each of them should contract.
         contraction: f64,
+    },
+    /// The forces have no derivative with respect to a dimension, as bodies are rigid and contacts roll with its
+    /// present value alone.
+    ThisDesignOnly {
+        /// The dimension.
+        dimension: String,
+        /// What is wrong with another value.
+        reason: Box<ReactionError>,
     },
     /// A result is not finite.
     NotFinite,
@@ -315,6 +324,11 @@ impl fmt::Display for ReactionError {
                  {}",
                 Digits(*contraction)
             ),
+            Self::ThisDesignOnly { dimension, reason } => write!(
+                formatter,
+                "the forces have no derivative with respect to `{dimension}`, of which other values disagree with the \
+                 bodies and contacts that are stated: {reason}"
+            ),
             Self::NotFinite => write!(
                 formatter,
                 "a force in a joint is not finite: a mass, force or other number of a load is not finite or too large"
@@ -331,6 +345,7 @@ impl Error for ReactionError {
             Self::Solve(error) => Some(error),
             Self::Load(error) => Some(error),
             Self::NoSuchPlace(error) => Some(error),
+            Self::ThisDesignOnly { reason, .. } => Some(reason),
             _ => None,
         }
     }

@@ -5,13 +5,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::connection::{Connection, member_name};
-use super::pose_number::PoseNumber;
+use super::pose_number::{PoseNumber, unchanging, values};
 use super::{MovedNumber, ReactionError};
-use crate::any::{AnyMechanism, OutputsOver, Pictured, SkeletonOver};
+use crate::any::{AnyMechanism, NearOver, OutputsOver, Pictured, SkeletonOver};
+use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::load::{ALONG, BodyFrame, PointIndex};
 use crate::number::Number;
-use crate::number::series::SeriesOf;
+use crate::number::series::{Series, SeriesOf};
 use crate::picture::{Outline, Slide};
 use crate::quantity::Dimension;
 use crate::solve::{Scalar, unwrap_near};
@@ -310,14 +311,24 @@ impl<F: MovingNumber> MovedFrame<F> {
     }
 }
 
+impl<S: PoseNumber, const N: usize> MovedFrame<SeriesOf<S, N>> {
+    /// The same without changes.
+    pub(super) fn values(&self) -> MovedFrame<Series<N>> {
+        let vector = |Space { x, y, z }| Space::new(values(x), values(y), values(z));
+        MovedFrame {
+            origin: vector(self.origin),
+            axes: self.axes.map(vector),
+            turn: vector(self.turn),
+            first_turn: self.first_turn,
+        }
+    }
+}
+
 impl MovedFrame<MovedNumber> {
     /// The same in other numbers, with as many terms as they have.
     pub(super) fn in_numbers<S: PoseNumber, const N: usize>(&self) -> MovedFrame<SeriesOf<S, N>> {
         let vector = |vector: Space<MovedNumber>| {
-            let [x, y, z] = [vector.x, vector.y, vector.z].map(|part| {
-                let terms = part.resized::<N>().coefficients();
-                SeriesOf::from_coefficients(terms.map(S::constant))
-            });
+            let [x, y, z] = [vector.x, vector.y, vector.z].map(|part| unchanging(part.resized::<N>()));
             Space::new(x, y, z)
         };
         MovedFrame {
@@ -382,7 +393,24 @@ pub(super) fn between<T: MovingNumber>(one: Space<T>, other: Space<T>) -> Option
 /// digits.
 const RIGID: f64 = 1e-7;
 
-impl<T: MovingNumber + Scalar> MovedMechanism<T> {
+impl<T: Scalar> MovedMechanism<T> {
+    /// The mechanism near a position. Angles of outputs are unwrapped to those that are given.
+    pub(super) fn near<F>(
+        functions: &F,
+        parameters: &[T],
+        inputs: &[T],
+        unknowns: &[f64],
+        outputs: &[f64],
+    ) -> Result<Self, SolveError>
+    where
+        F: ?Sized + AnyMechanism + Pictured + NearOver<T> + OutputsOver<T> + SkeletonOver<T>,
+    {
+        let near: Vec<T> = unknowns.iter().copied().map(T::constant).collect();
+        let mut unknowns = near.clone();
+        NearOver::<T>::position_near(functions, parameters, inputs, &near, &mut unknowns)?;
+        Ok(Self::of(functions, parameters, inputs, &unknowns, outputs))
+    }
+
     /// The mechanism in a pose. Angles of outputs are unwrapped to those that are given.
     pub(super) fn of<F: ?Sized + AnyMechanism + Pictured + OutputsOver<T> + SkeletonOver<T>>(
         functions: &F,
@@ -414,6 +442,21 @@ impl<T: MovingNumber + Scalar> MovedMechanism<T> {
             places,
             joints,
             is_space: functions.is_space(),
+        }
+    }
+}
+
+impl<T> MovedMechanism<T> {
+    /// The same in other numbers.
+    pub(super) fn map<F>(self, change: impl Fn(T) -> F) -> MovedMechanism<F> {
+        let places = self.places.into_iter();
+        MovedMechanism {
+            quantities: self.quantities.into_iter().map(&change).collect(),
+            places: places
+                .map(|Space { x, y, z }| Space::new(change(x), change(y), change(z)))
+                .collect(),
+            joints: self.joints,
+            is_space: self.is_space,
         }
     }
 }

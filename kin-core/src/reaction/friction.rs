@@ -7,10 +7,11 @@ use core::fmt;
 use super::action::{AGREEMENT, Influence, TERMS};
 use super::connection::{Connection, Member};
 use super::frames::{MovedFrame, MovedMechanism, slope_of};
-use super::{MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace, ReactionQuantity};
+use super::pose_number::{SinglePose, values};
+use super::{MovedIn, MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace};
 use crate::law::Side;
 use crate::number::Number;
-use crate::number::series::Series;
+use crate::number::series::{Series, SeriesOf};
 use crate::picture::Outline;
 
 /// Coulomb friction in a joint.
@@ -214,14 +215,14 @@ impl NamedReactions<'_> {
         !self.frictions.is_empty()
     }
 
-    /// The speeds of the motions in all joints with friction, as quantities along a sweep.
-    pub(crate) fn speeds_with_friction(&self) -> impl Iterator<Item = ReactionQuantity> {
-        (0..self.frictions.len()).map(ReactionQuantity::JointSpeed)
+    /// The number of joints with friction.
+    pub(crate) fn joints_with_friction(&self) -> usize {
+        self.frictions.len()
     }
 
-    pub(super) fn joint_speed(&self, place: &ReactionPlace<'_>, index: usize) -> Result<MovedNumber, ReactionError> {
-        let moved = place.moved(place.parameters, &place.inputs)?;
-        let frames = moved.frames(&place.functions.outline(), &self.connections)?;
+    /// The speed of the motion in a joint with friction, by its place among them.
+    pub(crate) fn joint_speed(&self, place: &ReactionPlace<'_>, index: usize) -> Result<MovedNumber, ReactionError> {
+        let (moved, frames) = place.moving(&place.functions.outline(), &self.connections)?;
         let rate = relative_rate(&self.connections[self.frictions[index].0], &moved, &frames);
         Ok(rate * Series::constant(place.rate))
     }
@@ -256,13 +257,13 @@ impl NamedReactions<'_> {
     }
 
     /// All friction that acts in a motion, with its sense.
-    pub(super) fn acting(
+    pub(super) fn acting<S: SinglePose>(
         &self,
         place: &ReactionPlace<'_>,
         outline: &Outline<'_>,
-        (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
+        (moved, frames): (&MovedMechanism<MovedIn<S>>, &[MovedFrame<MovedIn<S>>]),
         stand: &[bool],
-    ) -> Result<Vec<ActingFriction<MovedNumber>>, ReactionError> {
+    ) -> Result<Vec<ActingFriction<MovedIn<S>>>, ReactionError> {
         if self.frictions.is_empty() {
             return Ok(Vec::new());
         }
@@ -273,14 +274,15 @@ impl NamedReactions<'_> {
             Ok::<_, ReactionError>((moved, frames))
         });
         let begun = begun.transpose()?;
-        let (begun, begun_frames) = begun
-            .as_ref()
-            .map_or((moved, frames), |(moved, frames)| (moved, frames));
         let (by_time, side) = beginning.map_or((place.rate, place.side), |one| (one.by_time, one.side));
         let all = self.frictions.iter().zip(stand).map(|((index, friction), stands)| {
             let own = &self.connections[*index];
-            let rate = relative_rate(own, begun, begun_frames);
-            let sense = sense(rate, sizes(own, begun, begun_frames), by_time, side);
+            let rate = relative_rate(own, moved, frames);
+            let (begun_rate, sizes) = match &begun {
+                Some((moved, frames)) => (relative_rate(own, moved, frames), sizes(own, moved, frames)),
+                None => (values(rate), sizes(own, moved, frames)),
+            };
+            let sense = sense(begun_rate, sizes, by_time, side);
             // what never moves has no sense, whatever rounding makes of it
             let sense = sense.filter(|_| !stands);
             let sense = sense.ok_or_else(|| ReactionError::NoSense {
@@ -290,8 +292,8 @@ impl NamedReactions<'_> {
                 connection: *index,
                 friction: *friction,
                 sense,
-                rate: relative_rate(own, moved, frames),
-                speed: rate.real() * by_time,
+                rate,
+                speed: begun_rate.real() * by_time,
             })
         });
         all.collect()
@@ -300,33 +302,34 @@ impl NamedReactions<'_> {
 
 /// The rate by the variable at which one body of a connection moves against the other: it turns in a pin, and slides on
 /// a slide.
-fn relative_rate<const N: usize>(
+fn relative_rate<S: SinglePose, const N: usize>(
     own: &Connection,
-    moved: &MovedMechanism<Series<N>>,
-    frames: &[MovedFrame<Series<N>>],
-) -> Series<N> {
+    moved: &MovedMechanism<SeriesOf<S, N>>,
+    frames: &[MovedFrame<SeriesOf<S, N>>],
+) -> SeriesOf<S, N> {
+    let nothing = SeriesOf::constant(0.0);
     let (Some(slide), Some(joint)) = (own.slide, own.joint) else {
-        let turn = |member: Member| member.map_or(Series::ZERO, |body| frames[body].turn.z);
+        let turn = |member: Member| member.map_or(nothing, |body| frames[body].turn.z);
         return turn(own.on) - turn(own.by);
     };
     let at = moved.places[joint];
     let along = |member: Member| {
         let velocity = member.map(|body| frames[body].velocity(at));
-        velocity.map_or(Series::ZERO, |velocity| moved.along(slide).dot(velocity))
+        velocity.map_or(nothing, |velocity| moved.along(slide).dot(velocity))
     };
     along(own.on) - along(own.by)
 }
 
 /// The largest terms of the rates of the same kind.
-fn sizes<const N: usize>(
+fn sizes<S: SinglePose, const N: usize>(
     own: &Connection,
-    moved: &MovedMechanism<Series<N>>,
-    frames: &[MovedFrame<Series<N>>],
+    moved: &MovedMechanism<SeriesOf<S, N>>,
+    frames: &[MovedFrame<SeriesOf<S, N>>],
 ) -> [f64; N] {
     let mut sizes = [0.0_f64; N];
-    let mut add = |rate: Series<N>| {
+    let mut add = |rate: SeriesOf<S, N>| {
         for (size, term) in sizes.iter_mut().zip(rate.coefficients()) {
-            *size = size.max(term.abs());
+            *size = size.max(term.real().abs());
         }
     };
     if own.slide.is_none() {

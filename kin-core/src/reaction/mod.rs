@@ -58,6 +58,7 @@ mod action;
 #[cfg(feature = "std")]
 mod batch;
 mod body_load;
+mod change;
 mod connection;
 mod contact;
 mod coulomb;
@@ -117,14 +118,15 @@ use crate::hermite::TERMS;
 use crate::law::Side;
 use crate::load::{LoadError, NamedLoads, PointPlace};
 use crate::motion::Motion;
-use crate::number::series::Series;
-use crate::number::{Changing, Number, NumberRow, singular_values};
+use crate::number::series::{Series, SeriesOf};
+use crate::number::{Changing, Number, NumberRow};
 use crate::picture::Outline;
 use action::{Action, Influence, Influences};
 use body_load::Acting;
 use connection::{Connection, Member, connections, member_name};
 use equations::Solution;
 use frames::{JointAxis, MovedFrame, MovedMechanism, MovingNumber};
+use pose_number::{SinglePose, is_nothing, unchanging};
 use remembered::Remembered;
 use rolling::Flank;
 pub(crate) use structure::Plan;
@@ -137,6 +139,9 @@ const ORDERS: usize = 3;
 
 /// A motion as a series.
 pub type MovedNumber = Series<REACH>;
+
+/// The same in other numbers.
+pub(crate) type MovedIn<S> = SeriesOf<S, REACH>;
 
 /// A motion through snap as a series.
 pub(crate) type MovingPose = Series<{ pose::TERMS }>;
@@ -158,6 +163,9 @@ pub trait ReactionFunctions:
     + NearOver<MovedNumber>
     + OutputsOver<MovedNumber>
     + SkeletonOver<MovedNumber>
+    + NearOver<Changing<MovedNumber>>
+    + OutputsOver<Changing<MovedNumber>>
+    + SkeletonOver<Changing<MovedNumber>>
     + SkeletonOver<MovingPose>
     + MotionOver<f64>
     + ClosureOver<MovingBounds>
@@ -176,6 +184,9 @@ impl<F> ReactionFunctions for F where
         + NearOver<MovedNumber>
         + OutputsOver<MovedNumber>
         + SkeletonOver<MovedNumber>
+        + NearOver<Changing<MovedNumber>>
+        + OutputsOver<Changing<MovedNumber>>
+        + SkeletonOver<Changing<MovedNumber>>
         + SkeletonOver<MovingPose>
         + MotionOver<f64>
         + ClosureOver<MovingBounds>
@@ -219,8 +230,6 @@ pub(crate) enum ReactionQuantity {
     Input,
     /// The power of friction.
     Heat,
-    /// The speed of the motion in a joint with friction, by its place among them.
-    JointSpeed(usize),
 }
 
 /// The reactions of a mechanism under loads.
@@ -501,41 +510,40 @@ impl<'m> NamedReactions<'m> {
         plan: &mut Option<Plan>,
         quantity: ReactionQuantity,
     ) -> Result<MovedNumber, ReactionError> {
-        let by_time = Series::constant(place.rate);
+        let find = || Ok(self.solved_by(place, Some(plan))?.solution);
+        let read = |solution: &Solution<REACH>| self.of_solution(place, solution, quantity);
+        // other questions ask for the same solution
+        self.solutions.read(place.key(), find, read)?
+    }
+
+    /// A quantity of a solution.
+    fn of_solution<S: SinglePose>(
+        &self,
+        place: &ReactionPlace<'_>,
+        solution: &Solution<REACH, S>,
+        quantity: ReactionQuantity,
+    ) -> Result<MovedIn<S>, ReactionError> {
+        let by_time = SeriesOf::constant(place.rate);
+        let effort = |input: usize| {
+            let drive = || drive_of(self.functions.description().inputs[input].name);
+            solution.efforts[input].ok_or_else(|| self.undetermined(solution, drive()))
+        };
+        let power = |input: usize| Ok(effort(input)? * unchanging::<S, REACH>(place.inputs[input]).slope() * by_time);
         match quantity {
-            ReactionQuantity::Part(index, part) => self.read(place, plan, |solution| {
+            ReactionQuantity::Part(index, part) => {
                 let found = solution.part(index, part);
                 found.ok_or_else(|| self.undetermined(solution, self.connections[index].name.clone()))
-            })?,
-            ReactionQuantity::Effort(input) => self.read(place, plan, |solution| {
-                let drive = || drive_of(self.functions.description().inputs[input].name);
-                solution.efforts[input].ok_or_else(|| self.undetermined(solution, drive()))
-            })?,
-            ReactionQuantity::Power(input) => {
-                let effort = self.quantity(place, plan, ReactionQuantity::Effort(input))?;
-                Ok(effort * place.inputs[input].slope() * by_time)
             }
+            ReactionQuantity::Effort(input) => effort(input),
+            ReactionQuantity::Power(input) => power(input),
             ReactionQuantity::Input => {
-                let mut power = |input: usize| self.quantity(place, plan, ReactionQuantity::Power(input));
-                (0..place.inputs.len()).try_fold(Series::ZERO, |sum, input| Ok(sum + power(input)?))
+                (0..place.inputs.len()).try_fold(SeriesOf::constant(0.0), |sum, input| Ok(sum + power(input)?))
             }
-            ReactionQuantity::Heat => self.read(place, plan, |solution| solution.heat * by_time),
-            ReactionQuantity::JointSpeed(index) => self.joint_speed(place, index),
+            ReactionQuantity::Heat => Ok(solution.heat * by_time),
         }
     }
 
-    /// Reads the solution at a place, for which other questions ask too.
-    fn read<R>(
-        &self,
-        place: &ReactionPlace<'_>,
-        plan: &mut Option<Plan>,
-        read: impl Fn(&Solution<REACH>) -> R,
-    ) -> Result<R, ReactionError> {
-        let find = || Ok(self.solved_by(place, Some(plan))?.solution);
-        self.solutions.read(place.key(), find, read)
-    }
-
-    fn undetermined(&self, solution: &Solution<REACH>, reaction: String) -> ReactionError {
+    fn undetermined<S>(&self, solution: &Solution<REACH, S>, reaction: String) -> ReactionError {
         let names: Vec<String> = self.names().map(ToString::to_string).collect();
         undetermined(solution, &names, reaction)
     }
@@ -574,14 +582,17 @@ impl NamedReactions<'_> {
 }
 
 /// A solution with what it was found for.
-struct Solved {
-    solution: Solution<REACH>,
+struct Solved<S = f64> {
+    solution: Solution<REACH, S>,
     /// What masses and loads exert.
-    loads: Vec<Acting<MovedNumber>>,
+    loads: Vec<Acting<MovedIn<S>>>,
     drives: Vec<Action>,
-    moved: MovedMechanism<MovedNumber>,
-    frames: Vec<MovedFrame<MovedNumber>>,
+    moved: MovedMechanism<MovedIn<S>>,
+    frames: Vec<MovedFrame<MovedIn<S>>>,
 }
+
+/// A mechanism with the frames of its bodies.
+type Moving<S = f64> = (MovedMechanism<MovedIn<S>>, Vec<MovedFrame<MovedIn<S>>>);
 
 fn drive_of(input: &str) -> String {
     ["the drive of `", input, "`"].concat()
@@ -597,18 +608,17 @@ fn index_of<'n, N: Iterator<Item = &'n str>>(name: &str, names: impl Fn() -> N) 
 }
 
 /// The length of a vector. Where it passes through zero, it is that behind the zero.
-fn size<const N: usize>(vector: Space<Series<N>>) -> Series<N> {
+fn size<S: SinglePose, const N: usize>(vector: Space<SeriesOf<S, N>>) -> SeriesOf<S, N> {
     let parts = [vector.x, vector.y, vector.z];
     // in the plane, the third part is nothing
-    let count = if parts[2].coefficients() == [0.0; N] { 2 } else { 3 };
-    let length = singular_values(&parts[..count], 1);
-    length.first().copied().unwrap_or(Series::ZERO)
+    let count = if is_nothing(parts[2]) { 2 } else { 3 };
+    S::length(&parts[..count])
 }
 
-fn undetermined(solution: &Solution<REACH>, names: &[String], reaction: String) -> ReactionError {
+fn undetermined<S>(solution: &Solution<REACH, S>, names: &[String], reaction: String) -> ReactionError {
     let is_open = |index: &usize| {
-        let vectors = [solution.forces[*index], solution.moments[*index]];
-        vectors.iter().any(|vector| vector.whole().is_none())
+        let vectors = [&solution.forces[*index], &solution.moments[*index]];
+        vectors.iter().any(|vector| vector.0.iter().any(Option::is_none))
     };
     ReactionError::Undetermined {
         reaction,
@@ -632,25 +642,11 @@ impl ReactionPlace<'_> {
     /// The mechanism near the place, with inputs that move.
     fn moved(&self, parameters: &[f64], inputs: &[MovedNumber]) -> Result<MovedMechanism<MovedNumber>, SolveError> {
         let parameters: Vec<MovedNumber> = parameters.iter().copied().map(Series::constant).collect();
-        let near: Vec<MovedNumber> = self.unknowns.iter().copied().map(Series::constant).collect();
-        let mut unknowns = near.clone();
-        let functions = self.functions;
-        NearOver::<MovedNumber>::position_near(functions, &parameters, inputs, &near, &mut unknowns)?;
-        Ok(MovedMechanism::of(
-            functions,
-            &parameters,
-            inputs,
-            &unknowns,
-            self.outputs,
-        ))
+        MovedMechanism::near(self.functions, &parameters, inputs, self.unknowns, self.outputs)
     }
 
     /// The mechanism with the frames of its bodies.
-    fn moving(
-        &self,
-        outline: &Outline<'_>,
-        connections: &[Connection],
-    ) -> Result<(MovedMechanism<MovedNumber>, Vec<MovedFrame<MovedNumber>>), ReactionError> {
+    fn moving(&self, outline: &Outline<'_>, connections: &[Connection]) -> Result<Moving, ReactionError> {
         let moved = self.moved(self.parameters, &self.inputs)?;
         let frames = moved.frames(outline, connections)?;
         Ok((moved, frames))

@@ -10,7 +10,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::frames::MovingNumber as _;
-use super::pose_number::PoseNumber;
+use super::pose_number::{PoseNumber, SinglePose};
 use crate::number::Number;
 use crate::number::series::{Series, SeriesOf};
 
@@ -77,9 +77,9 @@ pub(super) struct OrderedSystem<const N: usize, S = f64> {
     solution: Vec<SeriesOf<S, N>>,
 }
 
-impl<const N: usize> OrderedSystem<N> {
+impl<S: SinglePose, const N: usize> OrderedSystem<N, S> {
     /// A matrix by its columns, with its factors; none if a pivot is zero or an entry not finite.
-    pub(super) fn of(columns: &[Vec<Series<N>>]) -> Option<Self> {
+    pub(super) fn of(columns: &[Vec<SeriesOf<S, N>>]) -> Option<Self> {
         let mut system = Self::planned(columns, core::iter::once(columns))?;
         for (column, entries) in columns.iter().enumerate() {
             for (row, entry) in entries.iter().enumerate() {
@@ -90,10 +90,10 @@ impl<const N: usize> OrderedSystem<N> {
     }
 
     /// The order of the elimination for the values of a matrix, by its columns, whose entries are those that are
-    /// something in any of these samples. Its own entries are still zero.
-    pub(super) fn planned<const M: usize>(
-        columns: &[Vec<Series<N>>],
-        samples: impl Iterator<Item: AsRef<[Vec<Series<M>>]>>,
+    /// something in any of these samples, or change with a dimension. Its own entries are still zero.
+    pub(super) fn planned<R: SinglePose, const M: usize>(
+        columns: &[Vec<SeriesOf<S, N>>],
+        samples: impl Iterator<Item: AsRef<[Vec<SeriesOf<R, M>>]>>,
     ) -> Option<Self> {
         let count = columns.len();
         let (mut is_entry, mut changes) = (vec![false; count * count], vec![false; count * count]);
@@ -101,9 +101,16 @@ impl<const N: usize> OrderedSystem<N> {
             for (column, entries) in sample.as_ref().iter().enumerate() {
                 for (row, entry) in entries.iter().enumerate() {
                     let terms = entry.coefficients();
-                    changes[row * count + column] |= terms[1..].iter().any(|term| *term != 0.0);
-                    is_entry[row * count + column] |= terms[0] != 0.0;
+                    changes[row * count + column] |= terms[1..].iter().any(|term| term.real() != 0.0);
+                    is_entry[row * count + column] |= terms[0].real() != 0.0;
                 }
+            }
+        }
+        for (column, entries) in columns.iter().enumerate() {
+            for (row, entry) in entries.iter().enumerate() {
+                let terms = entry.coefficients();
+                changes[row * count + column] |= terms[1..].iter().any(|term| term.changes());
+                is_entry[row * count + column] |= terms[0].changes();
             }
         }
         let mut slots = vec![NONE; count * count];
@@ -123,8 +130,9 @@ impl<const N: usize> OrderedSystem<N> {
                 });
             }
         }
+        let zero = S::constant(0.0);
         let mut system = Self {
-            entries: vec![Series::ZERO; next as usize],
+            entries: vec![SeriesOf::constant(0.0); next as usize],
             columns: own_columns,
             changing,
             steps: Vec::new(),
@@ -133,11 +141,11 @@ impl<const N: usize> OrderedSystem<N> {
             backward: Vec::new(),
             targets: Vec::new(),
             factors: Vec::new(),
-            reciprocals: vec![0.0; count],
-            largest: vec![0.0; count],
-            rest: vec![0.0; count],
-            known: vec![[0.0; N]; count],
-            solution: vec![Series::ZERO; count],
+            reciprocals: vec![zero; count],
+            largest: vec![zero; count],
+            rest: vec![zero; count],
+            known: vec![[zero; N]; count],
+            solution: vec![SeriesOf::constant(0.0); count],
             slots: slots.clone(),
         };
         let mut values = vec![0.0; count * count];
@@ -228,10 +236,12 @@ impl<const N: usize> OrderedSystem<N> {
         // what is found last is needed first
         self.backward
             .sort_by_key(|coupling| core::cmp::Reverse(coupling.column));
-        self.factors = vec![0.0; next as usize];
+        self.factors = vec![S::constant(0.0); next as usize];
         Some(())
     }
+}
 
+impl<const N: usize> OrderedSystem<N> {
     /// The same order for numbers of another type, with the entries that are there.
     pub(super) fn in_numbers<S: PoseNumber>(&self) -> OrderedSystem<N, S> {
         let zero = S::constant(0.0);
@@ -262,7 +272,7 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
     pub(super) fn set(&mut self, row: usize, column: usize, entry: SeriesOf<S, N>) -> bool {
         let slot = self.slots[row * self.rest.len() + column];
         if slot == NONE {
-            let is_zero = |term: S| !term.exceeds(0.0, S::constant(0.0)) && !term.real().is_nan();
+            let is_zero = |term: S| !term.exceeds(0.0, S::constant(0.0)) && !term.real().is_nan() && !term.changes();
             return entry.coefficients().into_iter().all(is_zero);
         }
         self.entries[slot as usize] = entry;

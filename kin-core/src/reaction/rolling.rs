@@ -8,8 +8,10 @@ use super::action::Influence;
 use super::connection::{Connection, Member};
 use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, real, slope_of, unit};
 use super::{MovedNumber, NamedReactions, ReactionError, ReactionPlace};
+use crate::any::PositionChoice;
 use crate::geometry::Space;
 use crate::load::{NoSuchPlace, PlaceKind, PointIndex, PointPlace};
+use crate::motion::Motion;
 use crate::number::Number;
 use crate::quantity::Digits;
 
@@ -185,6 +187,7 @@ impl NamedReactions<'_> {
     /// let loads = linkage.loads().torque(-30.0, "phi")?;
     /// let gears = Rolling::gears(Plane::zero(), "pivot", [0.02, 0.06]).at_pressure_angle(20_f64.to_radians());
     /// let reactions = linkage.reactions(&loads)?.rolling("mesh", ["pinion", "wheel"], gears)?;
+    /// reactions.check_contacts(&[0.3], PositionChoice::Assembly(0))?;
     /// let found = reactions.at(&[Motion::at_constant_speed(0.3, 5.0)], PositionChoice::Assembly(0))?;
     /// let [force, ..] = found.of("mesh")?.magnitude();
     /// assert!((force - 500.0 / 20_f64.to_radians().cos()).abs() < 1e-10);
@@ -247,6 +250,24 @@ impl NamedReactions<'_> {
         Ok(self)
     }
 
+    /// Whether the bodies of all contacts roll on each other in a position, as in the example of
+    /// [`rolling`](Self::rolling). The forces in joints ask for the same.
+    ///
+    /// # Errors
+    /// [`ReactionError::Rolling`] for a contact that does not roll, and those of a mechanism that has no pose there.
+    pub fn check_contacts(&self, inputs: &[f64], choice: PositionChoice<'_, f64>) -> Result<(), ReactionError> {
+        let inputs: Vec<Motion> = inputs.iter().copied().map(Motion::constant).collect();
+        let unknowns = self.unknowns_at(&inputs, choice)?;
+        let place = self.place(&inputs, &unknowns);
+        self.touching(&place, place.parameters).map(|_| ())
+    }
+
+    /// How contacts touch in a design at a place. Bodies must be rigid, and contacts roll.
+    pub(super) fn touching(&self, place: &ReactionPlace<'_>, parameters: &[f64]) -> Result<Vec<Flank>, ReactionError> {
+        let outline = place.functions.outline();
+        self.flanks(&place.influences(parameters, &outline, &self.connections, None)?)
+    }
+
     /// Where contacts touch at a place, none of what is no contact.
     pub(super) fn pitch_points(
         &self,
@@ -256,8 +277,7 @@ impl NamedReactions<'_> {
         if self.connections.iter().all(|own| own.mesh.is_none()) {
             return Ok(Vec::new());
         }
-        let outline = self.functions.outline();
-        let flanks = self.flanks(&place.influences(place.parameters, &outline, &self.connections, None)?)?;
+        let flanks = self.touching(place, place.parameters)?;
         let all = self.connections.iter().zip(flanks);
         Ok(all
             .map(|(own, flank)| Some(real(own.mesh?.pitch_point(moved, flank.side).at)))

@@ -9,11 +9,12 @@ use super::equations::{Equations, Rows, Solution, Unknown};
 use super::frames::{MovedFrame, MovedMechanism};
 use super::friction::stands;
 use super::ordered::OrderedSystem;
+use super::pose_number::{SinglePose, values};
 use super::rolling::{Flank, RollingMistake};
-use super::{MovedNumber, NamedReactions, REACH, ReactionError, ReactionPlace, Solved};
+use super::{MovedIn, MovedNumber, Moving, NamedReactions, REACH, ReactionError, ReactionPlace, Solved};
 use crate::law::Side;
 use crate::number::NumberRow;
-use crate::number::series::Series;
+use crate::number::series::SeriesOf;
 use crate::picture::Outline;
 
 /// Where loads, drives and contacts act, and what is unknown.
@@ -31,18 +32,18 @@ pub(super) struct Structure {
 
 /// A structure with the order in which its equations are solved.
 #[derive(Clone, Debug)]
-pub(crate) struct Plan {
+pub(crate) struct Plan<S = f64> {
     pub(super) structure: Structure,
     /// The dimensions for which it was found.
     pub(super) parameters: NumberRow,
-    pub(super) system: OrderedSystem<REACH>,
+    pub(super) system: OrderedSystem<REACH, S>,
 }
 
 /// What a solver finds: no solution if its plan does not fit.
-type FoundSolution = Result<Option<Solution<REACH>>, ReactionError>;
+type FoundSolution<S> = Result<Option<Solution<REACH, S>>, ReactionError>;
 
 /// A solution with what masses and loads exert.
-type SolutionUnderLoads = (Solution<REACH>, Vec<Acting<MovedNumber>>);
+type SolutionUnderLoads<S> = (Solution<REACH, S>, Vec<Acting<MovedIn<S>>>);
 
 impl Structure {
     /// The equations in a pose.
@@ -85,13 +86,13 @@ impl Structure {
 
     /// The order of the elimination at values of the columns. Their entries are told by all influences, as one pose
     /// may have a zero where others have none. None if equilibrium does not determine all forces.
-    pub(super) fn order<const N: usize>(
+    pub(super) fn order<S: SinglePose, const N: usize>(
         &self,
         reactions: &NamedReactions<'_>,
         outline: &Outline<'_>,
-        columns: &[Vec<Series<N>>],
+        columns: &[Vec<SeriesOf<S, N>>],
         all: &[Influence<REACH>],
-    ) -> Option<OrderedSystem<N>> {
+    ) -> Option<OrderedSystem<N, S>> {
         if self.unknowns.len() != self.rows.count() {
             return None;
         }
@@ -140,18 +141,28 @@ impl NamedReactions<'_> {
     pub(super) fn solved_by(
         &self,
         place: &ReactionPlace<'_>,
-        mut kept: Option<&mut Option<Plan>>,
+        kept: Option<&mut Option<Plan>>,
     ) -> Result<Solved, ReactionError> {
+        let moving = place.moving(&place.functions.outline(), &self.connections)?;
+        self.solved_in_motion(place, moving, kept)
+    }
+
+    /// The same for the mechanism as it moves there, in numbers that may change with a dimension.
+    pub(super) fn solved_in_motion<S: SinglePose>(
+        &self,
+        place: &ReactionPlace<'_>,
+        (moved, frames): Moving<S>,
+        mut kept: Option<&mut Option<Plan<S>>>,
+    ) -> Result<Solved<S>, ReactionError> {
         let outline = place.functions.outline();
-        let (moved, frames) = place.moving(&outline, &self.connections)?;
-        let fits = |plan: &&mut Plan| {
+        let fits = |plan: &&mut Plan<S>| {
             plan.parameters[..] == *place.parameters
                 && plan.structure.rows.fit(&moved, &frames)
                 && moved.check(&outline, &self.connections, &frames).is_ok()
         };
         let plan = kept.as_deref_mut().and_then(Option::as_mut).filter(fits);
         if let Some(Plan { structure, system, .. }) = plan {
-            let solve = |equations: &Equations<'_, MovedNumber>, right: &[MovedNumber]| {
+            let solve = |equations: &Equations<'_, MovedIn<S>>, right: &[MovedIn<S>]| {
                 equations.solve_in(system, &structure.unknowns, right)
             };
             let solved = self.solved_in(place, &outline, structure, (&moved, &frames), solve)?;
@@ -165,9 +176,11 @@ impl NamedReactions<'_> {
                 });
             }
         }
-        let (structure, all) = self.structure(place, &outline, &moved, &frames)?;
+        let own = moved.clone().map(values);
+        let own_frames: Vec<_> = frames.iter().map(MovedFrame::values).collect();
+        let (structure, all) = self.structure(place, &outline, &own, &own_frames)?;
         let mut columns = Vec::new();
-        let solve = |equations: &Equations<'_, MovedNumber>, right: &[MovedNumber]| {
+        let solve = |equations: &Equations<'_, MovedIn<S>>, right: &[MovedIn<S>]| {
             columns = equations.columns(&structure.unknowns);
             equations.solve(&structure.unknowns, &columns, right).map(Some)
         };
@@ -193,14 +206,14 @@ impl NamedReactions<'_> {
     }
 
     /// The solution in a structure, with what loads exert; none if the solver gives none.
-    fn solved_in(
+    fn solved_in<S: SinglePose>(
         &self,
         place: &ReactionPlace<'_>,
         outline: &Outline<'_>,
         structure: &Structure,
-        (moved, frames): (&MovedMechanism<MovedNumber>, &[MovedFrame<MovedNumber>]),
-        mut solve: impl FnMut(&Equations<'_, MovedNumber>, &[MovedNumber]) -> FoundSolution,
-    ) -> Result<Option<SolutionUnderLoads>, ReactionError> {
+        (moved, frames): (&MovedMechanism<MovedIn<S>>, &[MovedFrame<MovedIn<S>>]),
+        mut solve: impl FnMut(&Equations<'_, MovedIn<S>>, &[MovedIn<S>]) -> FoundSolution<S>,
+    ) -> Result<Option<SolutionUnderLoads<S>>, ReactionError> {
         let frictions = self.acting(place, outline, (moved, frames), &structure.stand)?;
         let mut loads = Vec::new();
         let demand = structure.demand(self, moved, frames, place.rate);

@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::series::Series;
+use crate::number::series::SeriesOf;
 use crate::number::{Changing, Number, real_parts};
 use crate::solve::check::{Check, Choose, Measure, Negative, RowMeasure, SameSide};
 use crate::solve::factor::{Elimination, FactorRow, factor_to, power_of_two, substitute};
@@ -242,7 +242,7 @@ pub trait Scalar: Number {
 
 impl Scalar for f64 {}
 impl Scalar for f32 {}
-impl<const N: usize> Scalar for Series<N> {}
+impl<S: Scalar, const N: usize> Scalar for SeriesOf<S, N> {}
 impl<S: Scalar> Scalar for Changing<S> {}
 #[cfg(feature = "std")]
 impl Scalar for crate::number::count::Counted {}

@@ -15,7 +15,7 @@ use kin_core::law::{Piecewise, Side};
 use kin_core::linkage::{AnyCycle, AnyLinkage, AnySweep};
 use kin_core::load::NamedLoads;
 use kin_core::prelude::*;
-use kin_core::reaction::{Efficiency, ForceProof, NamedReactions};
+use kin_core::reaction::{Efficiency, ForceProof, NamedReactions, ReactionError};
 use kin_core::sweep::{Laws, SmoothDrive, StraightLine, SweepError, Table};
 use kin_core::tape::structure::Tape;
 use kin_core::tape::{self, RecordError};
@@ -351,6 +351,20 @@ impl Subject {
     fn reactions(&self, case: &Case, loads: &NamedLoads) -> Result<NamedReactions<'_>, Fault> {
         let reactions = case.stated.reactions(&self.linkage(&case.parameters), loads);
         reactions.map_err(Fault::wrong)
+    }
+
+    /// The contact whose bodies slip on each other where the motion begins, by its name, and why.
+    pub(crate) fn slip(&self, case: &Case) -> Option<(String, ReactionError)> {
+        let linkage = self.linkage(&case.parameters);
+        let loads = case.loads.clone().unwrap_or_else(|| linkage.loads());
+        let reactions = case.stated.joined(&linkage, &loads).ok()?;
+        let assembly = self.assembly(case).ok()?;
+        match reactions.check_contacts(&case.ends()[0], assembly.position()) {
+            Err(ReactionError::Rolling { reaction, mistake }) => {
+                Some((reaction.clone(), ReactionError::Rolling { reaction, mistake }))
+            }
+            _ => None,
+        }
     }
 
     /// The times inside of the motion at which the speed of an input jumps, where a mass has no bounded effort.

@@ -166,8 +166,8 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             let (text, asked) = file::checked(&text, &path.display().to_string());
             tasks::print(&text)?;
             match asked {
-                Ok(_) => Ok(()),
-                Err(1) => Err(Fault::wrong("there is a mistake")),
+                Ok((subject, settings)) if file::slipping(&subject, &settings).is_none() => Ok(()),
+                Ok(_) | Err(1) => Err(Fault::wrong("there is a mistake")),
                 Err(count) => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }

@@ -313,10 +313,17 @@ fn gears_and_racks() {
         "run rack_press.kin sweep --rows 3 --columns teeth_x,teeth_y,teeth_force_rate --set sector=65mm",
         "forces bare.kin",
         "forces slips.kin",
+        "check slips.kin",
+        "check rack_press.kin",
         "fmt --check rack_press.kin",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("gears and racks", all.join("\n"));
+    let object = typed_in(&folder, "kin check --json slips.kin");
+    assert!(
+        object.contains(r#""severity":"error""#) && object.contains("-- code 2"),
+        "{object}"
+    );
     // the book shows the file and its forces
     let book = include_str!("../../../docs/forces.md");
     let (shown, _) = all[0].split_once("-- code 0").unwrap();

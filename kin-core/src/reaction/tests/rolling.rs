@@ -1,8 +1,11 @@
 //! Gears, racks and wheels: closed forms, virtual work, and what does not roll.
 
+use std::string::ToString as _;
+
 use super::mistakes::{message, still};
 use super::{heavy, pin, prepared};
 use crate::any::{AssemblyChoice, Of};
+use crate::extremes::ExtremesError;
 use crate::geometry::{Plane, Space};
 use crate::law::{Law as _, Piecewise, Rise, Shape};
 use crate::library;
@@ -10,7 +13,7 @@ use crate::linkage::AnyLinkage;
 use crate::load::{NamedLoads, PointPlace};
 use crate::mechanism::Mechanism;
 use crate::number::samples;
-use crate::reaction::{NamedReactions, ProofError, ReactionPart, Rolling};
+use crate::reaction::{NamedReactions, ProofError, ReactionError, ReactionPart, Rolling};
 use crate::verify::Random;
 
 crate::mechanism! {
@@ -333,4 +336,34 @@ fn proofs_of_gears() {
     let inclined = reactions(0.3);
     let error = turn.proof(&inclined).of("mesh", ReactionPart::Force).err();
     assert!(matches!(error, Some(ProofError::PressureAngle { .. })), "{error:?}");
+}
+
+/// Gears of given radii roll in designs of these radii alone, so that their force has no derivative by the others.
+#[test]
+fn forces_of_one_design() {
+    let linkage = AnyLinkage::of(&Pair {
+        pinion: 0.02,
+        wheel: 0.06,
+        sense: -1.0,
+    });
+    let loads = linkage.loads().torque(-30.0, "phi").expect("an angle");
+    let gears = Rolling::gears(Plane::zero(), "pivot", [0.02, 0.06]);
+    let reactions = linkage.reactions(&loads).expect("bodies");
+    let reactions = reactions.rolling("mesh", ["pinion", "wheel"], gears).expect("gears");
+    let turn = linkage.sweep(AssemblyChoice::Index(0)).between(&[0.0], &[1.0], 2);
+    let turn = turn.speed(5.0);
+    let force = turn.of_reaction(&reactions, "mesh", ReactionPart::Force, 0);
+    let error = force.peak_sensitivities().expect_err("the radii differ");
+    let ExtremesError::Reaction { error: reason, .. } = &error else {
+        panic!("{error}")
+    };
+    assert!(
+        matches!(&**reason, ReactionError::ThisDesignOnly { dimension, .. } if dimension == "pinion"),
+        "{error}"
+    );
+    let message = error.to_string();
+    assert!(
+        message.contains("the forces have no derivative with respect to `pinion`"),
+        "{message}"
+    );
 }

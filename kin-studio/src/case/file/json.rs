@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::super::subject::Subject;
 use super::read::KinFile;
-use super::{Settings, asked};
+use super::{Settings, asked, section, slip};
 use crate::file::{Mistake, is_ident, is_punct, range_of};
 
 /// The version of the form, which grows when a member changes or goes.
@@ -29,10 +29,11 @@ pub(super) fn checked(
         }
         Ok(file) => {
             let outline = outline(text, &file);
-            let section = file.sections.iter().find(|section| section.name == "dimensions");
-            let section = section.map_or(0..0, |section| section.whole.clone());
+            let [dimensions, loads] = ["dimensions", "loads"].map(|name| section(&file, name));
             let (subject, settings) = asked(file);
-            let remarks = remarks(text, &section, &subject, &settings);
+            let mut remarks = remarks(text, &dimensions, &subject, &settings);
+            let slip = slip(text, &loads, &subject, &settings);
+            remarks.extend(slip.map(|slip| one(text, "error", &slip.message, &slip.range)));
             (remarks, outline, Ok((subject, settings)))
         }
     };
@@ -76,14 +77,16 @@ fn range_in_lines(text: &str, range: &Range<usize>) -> Value {
 fn remarks(text: &str, section: &Range<usize>, subject: &Subject, settings: &Settings) -> Vec<Value> {
     let remarks = settings.typed().remarks(subject).into_iter();
     remarks
-        .map(|(name, remark)| {
-            let inside = text[section.clone()].parse::<TokenStream>().unwrap_or_default();
-            let start = find(inside, &name, '=').map_or(section.clone(), |range| {
-                section.start + range.start..section.start + range.end
-            });
-            one(text, "warning", &remark, &start)
-        })
+        .map(|(name, remark)| one(text, "warning", &remark, &named_in(text, section, &name)))
         .collect()
+}
+
+/// Where a section gives a name its value, or all of the section.
+pub(super) fn named_in(text: &str, section: &Range<usize>, name: &str) -> Range<usize> {
+    let inside = text[section.clone()].parse::<TokenStream>().unwrap_or_default();
+    find(inside, name, '=').map_or(section.clone(), |range| {
+        section.start + range.start..section.start + range.end
+    })
 }
 
 fn outline(text: &str, file: &KinFile) -> Value {

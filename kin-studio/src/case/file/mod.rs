@@ -7,14 +7,17 @@ mod loads;
 mod numbers;
 mod read;
 
+use std::ops::Range;
 use std::path::Path;
+
+use kin_core::reaction::ReactionError;
 
 use super::fault::Fault;
 use super::loads::Loads;
 use super::subject::Subject;
 use super::typed::Typed;
 use crate::file::format;
-use crate::file::{shown, text_of, tokens};
+use crate::file::{Mistake, shown, text_of, tokens};
 use read::KinFile;
 
 /// What a file says besides the declaration.
@@ -96,10 +99,34 @@ pub(crate) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
     let declaration = file.mechanism.declaration();
     let said = format!("{}: {} has no mistakes\n", path.display(), declaration.name());
     let steps = if steps { declaration.printout() } else { "" };
-    Ok(said + steps)
+    let said = said + steps;
+    let loads = section(&file, "loads");
+    let (subject, settings) = asked(file);
+    match slip(&text, &loads, &subject, &settings) {
+        Some(mistake) => Err(Fault::wrong(shown(&[mistake], &path.display().to_string(), &text))),
+        None => Ok(said),
+    }
 }
 
-/// The object for an editor, and the mechanism of a text without mistakes, or else how many there are.
+/// Where a section stands; nowhere if there is none.
+fn section(file: &KinFile, name: &str) -> Range<usize> {
+    let section = file.sections.iter().find(|section| section.name == name);
+    section.map_or(0..0, |section| section.whole.clone())
+}
+
+/// A contact whose bodies slip on each other, at its name in the section of loads.
+fn slip(text: &str, loads: &Range<usize>, subject: &Subject, settings: &Settings) -> Option<Mistake> {
+    let (name, error) = slipping(subject, settings)?;
+    Some(Mistake::new(error.to_string(), json::named_in(text, loads, &name)))
+}
+
+/// The contact whose bodies slip, by its name, and why. A file without all numbers of the motion is not looked at.
+pub(crate) fn slipping(subject: &Subject, settings: &Settings) -> Option<(String, ReactionError)> {
+    subject.slip(&settings.typed().case(subject).ok()?)
+}
+
+/// The object for an editor, and the mechanism of a text without mistakes, or else how many there are. A contact that
+/// slips is a mistake there, but the mechanism still moves.
 pub(crate) fn checked(text: &str, name: &str) -> (String, Result<(Subject, Settings), usize>) {
     json::checked(name, text, KinFile::read(text))
 }
