@@ -23,9 +23,20 @@ const KEYWORDS = [
 ];
 const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Point", "Direction"];
 
+/** Whether a word has its meaning as a keyword here: at the beginning of a statement, and not as a name that is declared
+ * or gets a value there. */
+function isKeyword(word, stream, begins) {
+  const isName = word !== "assembly" && stream.match(/^\s*[:=]/, false);
+  return KEYWORDS.includes(word) && (word === "at" || (begins && !isName));
+}
+
 const parser = {
   name: "kin",
-  token(stream) {
+  startState: () => ({ begins: true }),
+  token(stream, state) {
+    if (stream.eatSpace()) {
+      return null;
+    }
     if (stream.match(/^\/\/.*/)) {
       return "comment";
     }
@@ -34,16 +45,19 @@ const parser = {
       return "number";
     }
     const word = stream.match(/^[\p{L}_][\p{L}\p{N}_]*/u)?.[0];
-    if (word) {
-      const kinds = [
-        [KEYWORDS, "keyword"],
-        [TYPES, "typeName"],
-      ];
-      const kind = kinds.find(([words]) => words.includes(word))?.[1];
-      return kind ?? (stream.match(/^\s*\(/u, false) ? "function" : "variableName");
+    const { begins } = state;
+    // the first line, `kin 1`, has no end but that of the line
+    state.begins = word ? word === "kin" : ";{}".includes(stream.next());
+    if (!word) {
+      return null;
     }
-    stream.next();
-    return null;
+    if (isKeyword(word, stream, begins)) {
+      return "keyword";
+    }
+    if (TYPES.includes(word)) {
+      return "typeName";
+    }
+    return stream.match(/^\s*\(/u, false) ? "function" : "variableName";
   },
   languageData: { commentTokens: { line: "//" } },
   tokenTable: { function: tags.function(tags.variableName) },

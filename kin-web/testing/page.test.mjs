@@ -65,6 +65,15 @@ test("a mistake is underlined and listed, and the mended text moves", async () =
   assert.deepEqual(faults, []);
 });
 
+test("a name is not coloured as the keyword that it resembles", async () => {
+  const { page, faults } = await opened();
+  await typeText(page, CRANK.replaceAll(/\br\b/g, "ground"));
+  await shows(page, "Crank");
+  const words = await page.locator("#editor .token-keyword").allTextContents();
+  assert.deepEqual(words, ["kin", "struct", "input", "unknown", "dimensions", "motion", "at"]);
+  assert.deepEqual(faults, []);
+});
+
 /** Far above what a machine without other work takes, and far below what a person waits for, in milliseconds. */
 const SLOWEST = 3000;
 
