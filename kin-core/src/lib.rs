@@ -215,21 +215,29 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 ///
 /// ```text
 /// declaration = struct statement*
-/// statement   = "input"   NAME ":" scalar ("," NAME ":" scalar)* ";"
-///             | "unknown" NAME ":" sought range? ("," NAME ":" sought range?)* ";"
-///             | "let" NAME "=" expression ";"
-///             | "output" NAME ":" dimension "=" expression ";"
+/// struct      = attribute* visibility "struct" NAME "{" field ("," field)* "}"
+/// field       = attribute* visibility NAME ":" dimension
+/// dimension   = "Length" | "Angle" | "Scalar" | "Point" | "Vector" | "Point3" | "Vector3"
+///
+/// statement   = "input"   quantity ("," quantity)* ";"
+///             | "unknown" unknown  ("," unknown)* ";"
 ///             | "order" "=" INTEGER ";"
-///             | expression "==" expression ";"
 ///             | "with" request ("," request)* ";"
+///             | "for" names "in" "[" element ("," element)* "]" "{" repeatable+ "}"
+///             | repeatable
+/// repeatable  = "let" NAME "=" (expression | frame) ";"
+///             | "output" NAME ":" dimension "=" expression ";"
+///             | expression "==" expression ";"
 ///             | "body" NAME ":" points ";"
 ///             | "ground" points ";"
 ///             | "slide" expression "along" expression ("on" NAME)? ";"
+/// frame       = "frame" "(" expression "," expression ")"
+/// names       = NAME | "(" NAME ("," NAME)* ")"
+/// element     = expression | "(" expression ("," expression)* ")"
 /// points      = expression ("," expression)*
 /// request     = "transmission_angles" | "sensitivities" | "test"
-/// scalar      = "Length" | "Angle" | "Scalar"
-/// sought      = scalar | "Direction"
-/// dimension   = scalar | "Point" | "Vector" | "Point3" | "Vector3"
+/// quantity    = NAME ":" ("Length" | "Angle" | "Scalar")
+/// unknown     = NAME ":" ("Length" | "Angle" | "Scalar" | "Direction") range?
 /// range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
 ///             | "in" constant (".." | "..=") constant
 /// ```
@@ -248,6 +256,8 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 ///   the partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to each
 ///   parameter: see [`Sensitive`].
 /// - `body`, `ground` and `slide` state for the [`Skeleton`] what belongs together, where the equations do not.
+/// - `for` repeats statements with other names. A `frame` is the origin and the rotation, in the plane the angle, of a
+///   rigid body, whose points are placed by `frame * point`.
 /// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
 ///   as the unknowns.
 ///

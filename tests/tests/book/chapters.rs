@@ -154,6 +154,28 @@ fn all_code_is_run() {
     }
 }
 
+/// The documentation of the macro has the statements of the chapter's grammar.
+#[test]
+fn the_macro_has_the_grammar_of_the_chapter() {
+    let (macro_documentation, chapter) = (read("kin-core/src/lib.rs"), read("docs/grammar.md"));
+    let documented: Vec<&str> = macro_documentation
+        .lines()
+        .skip_while(|line| !line.starts_with("/// declaration "))
+        .take_while(|line| *line != "/// ```")
+        .map(|line| line.trim_start_matches("///").strip_prefix(' ').unwrap_or_default())
+        .collect();
+    let written = blocks(&chapter)
+        .into_iter()
+        .find(|(_, lines)| lines[0].starts_with("declaration "));
+    let (_, written) = written.expect("the chapter has a grammar");
+    assert!(documented.len() > 20, "{documented:?}");
+    assert_eq!(documented, written[..documented.len()]);
+    assert!(
+        written[documented.len() + 1].starts_with("expression "),
+        "all but the expressions"
+    );
+}
+
 /// Every picture is there, and every one is shown.
 #[test]
 fn figures_are_shown() {
