@@ -18,6 +18,8 @@ use crate::forces::Stated;
 pub(crate) struct Typed {
     /// Names of dimensions or of inputs that stand, with their values.
     pub(crate) set: Vec<String>,
+    /// The number of these values that a file states. The others are options.
+    pub(crate) set_by_file: usize,
     /// Ranges of inputs, with a name in front if there are several inputs.
     pub(crate) over: Vec<String>,
     /// The speed.
@@ -297,9 +299,22 @@ impl Typed {
             };
             let motion = InputMotion::read(inputs[index].dimension, text, lengths)
                 .map_err(|message| Fault::wrong(format!("{}: {message}", inputs[index].name)))?;
+            if let Some(option) = self.value_by_option(inputs[index].name) {
+                return Err(Fault::wrong(format!(
+                    "`{}` has a motion, so `--set {option}` would not be read: `--over {option}` lets it stand there",
+                    inputs[index].name
+                )));
+            }
             motions[index] = Some(motion);
         }
         Ok(motions)
+    }
+
+    /// The option that gives a value to an input.
+    fn value_by_option(&self, input: &str) -> Option<&str> {
+        let mut options = self.set.iter().skip(self.set_by_file);
+        let option = options.find(|text| text.split_once('=').is_some_and(|(name, _)| name.trim() == input));
+        option.map(String::as_str)
     }
 
     /// A motion for each input. The leading one moves if none was said to.

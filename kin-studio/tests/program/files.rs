@@ -78,6 +78,14 @@ fn a_file_is_run() {
         assert!(printed.contains(text) && !printed.contains('‹'), "{printed}");
     }
 
+    // a value beside a motion would not be read
+    let printed = typed_in(&folder, "kin run wiper.kin sweep --set theta=10deg");
+    says(
+        &printed,
+        "`theta` has a motion, so `--set theta=10deg` would not be read: `--over theta=10deg` lets it",
+    );
+    says(&printed, "-- code 2\n");
+
     // mistakes that the compiler finds have their positions in the file
     for (old, new, message, position) in [
         (

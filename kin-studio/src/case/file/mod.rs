@@ -44,6 +44,7 @@ impl Settings {
     pub(crate) fn typed(&self) -> Typed {
         Typed {
             set: self.set.clone(),
+            set_by_file: self.set.len(),
             over: self.over.clone(),
             assembly: self.assembly.clone(),
             loads: self.loads.clone(),
