@@ -9,7 +9,7 @@ export function createLinks(docs) {
     /** The files that the chapters show or link. */
     files,
 
-    /** The address of a target in a chapter, or null if it is a file that is made by hand and not there. */
+    /** The address of a target in a chapter. */
     addressIn(chapter, target) {
       if (/^https?:/.test(target)) {
         return target;
@@ -20,7 +20,7 @@ export function createLinks(docs) {
         return (name ? `${name}.html` : "") + (heading && `#${heading}`);
       }
       if (!existsSync(docs + target)) {
-        return null;
+        throw new Error(`${chapter}.md links to nothing: ${target}`);
       }
       files.add(target);
       return target;

@@ -33,7 +33,7 @@ ${code(text)}<div class="moving"></div>
 `;
 
 /**
- * @param {(target: string) => string | null} addressOfTarget the address of a link, or null if nothing is there
+ * @param {(target: string) => string} addressOfTarget the address of a link
  * @returns {Promise<{html: string, headings: string[], lives: boolean}>} the chapter, the identities of its headings,
  *   and whether it has blocks that can move
  */
@@ -61,13 +61,9 @@ export async function render(markdown, addressOfTarget) {
         return code(lang?.startsWith("rust") ? withoutHidden(text) : text);
       },
       link({ href, tokens }) {
-        const address = addressOfTarget(href);
-        const words = this.parser.parseInline(tokens);
-        return address === null ? words : `<a href="${escaped(address)}">${words}</a>`;
+        return `<a href="${escaped(addressOfTarget(href))}">${this.parser.parseInline(tokens)}</a>`;
       },
-      image: ({ href, text }) => `<img src="${escaped(addressOfTarget(href) ?? href)}" alt="${escaped(text)}">`,
-      // a page in a frame has a link in its chapter as well
-      html: () => "",
+      image: ({ href, text }) => `<img src="${escaped(addressOfTarget(href))}" alt="${escaped(text)}">`,
     },
   });
   const html = await marked.parse(markdown);

@@ -40,7 +40,7 @@ test("links lead to chapters, headings and files that are there", () => {
   assert.equal(links.addressIn("cycle", "#b"), "#b");
   assert.equal(links.addressIn("cycle", "https://example.org/"), "https://example.org/");
   assert.equal(links.addressIn("cycle", "figures/page.svg"), "figures/page.svg");
-  assert.equal(links.addressIn("cycle", "figures/none.svg"), null);
+  assert.throws(() => links.addressIn("cycle", "figures/none.svg"), /cycle\.md links to nothing: figures\/none\.svg/);
   assert.deepEqual([...links.files], ["figures/page.svg"]);
   const headings = { cycle: ["b"], laws: ["a"] };
   links.check(new Map(Object.entries(headings)));
