@@ -23,8 +23,7 @@ const KEYWORDS = [
 ];
 const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Point", "Direction"];
 
-/** Whether a word has its meaning as a keyword here: at the beginning of a statement, and not as a name that is declared
- * or gets a value there. */
+/** Whether a word is a keyword here: at the beginning of a statement, and not as a name with a type or a value. */
 function isKeyword(word, stream, begins) {
   const isName = word !== "assembly" && stream.match(/^\s*[:=]/, false);
   return KEYWORDS.includes(word) && (word === "at" || (begins && !isName));
