@@ -25,7 +25,7 @@ const TYPES = ["Length", "Angle", "Scalar", "Vector", "Vector3", "Point", "Direc
 
 /** Whether a word is a keyword here: at the beginning of a statement, and not as a name with a type or a value. */
 function isKeyword(word, stream, begins) {
-  const isName = word !== "assembly" && stream.match(/^\s*[:=]/, false);
+  const isName = word !== "assembly" && stream.match(/^\s*[-+*/:=.]/, false);
   return KEYWORDS.includes(word) && (word === "at" || (begins && !isName));
 }
 

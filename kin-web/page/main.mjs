@@ -3,7 +3,8 @@ import { part, setText } from "../../kin-studio/src/page/elements.mjs";
 import { handOver } from "../../kin-studio/src/page/saving.mjs";
 import { addressOf, readAddress } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
-import { createBoard } from "./board.mjs";
+import { createBoard, isGrown } from "./board.mjs";
+import { loadsOf, loadsToBegin, withSection } from "./loads.mjs";
 import { createMovingText } from "./moving-text.mjs";
 import { examples, kinModule, startWorker } from "./parts.mjs";
 
@@ -15,9 +16,11 @@ const module = kinModule();
 const quick = createAsking(startWorker, module);
 const slow = createAsking(startWorker, module);
 const byButton = createAsking(startWorker, module);
-const board = createBoard(createAsking(startWorker, module), (text) => moving.set(text));
+const board = createBoard(createAsking(startWorker, module), drawn);
 /** The name of the mechanism that moves, in small letters, for files. */
 let fileName = "mechanism";
+/** The loads of the last text without mistakes, and those with which it may begin; null without them. */
+let loads = { of: "", own: null, first: null };
 
 const places = { editor: part("editor"), mistakes: part("mistakes"), moving: part("moving") };
 const moving = createMovingText(places, quick, { typed, understood, moved, say });
@@ -29,7 +32,15 @@ function typed(text) {
   }
 }
 
-async function understood(text) {
+/** Takes the text of a drawing, with the loads that stood behind the text of the same drawing before. */
+function drawn(text, before) {
+  moving.set(loads.own !== null && isGrown(loads.of, before) ? withSection(text, loads.own) : text);
+}
+
+async function understood(text, outline, report) {
+  const bodies = report?.outline.bodies.map(({ name }) => name) ?? [];
+  loads = { of: text, own: loadsOf(text, outline), first: loadsToBegin(outline, bodies) };
+  part("add-loads").hidden = loads.own !== null || loads.first === null;
   history.replaceState(null, "", `#${await addressOf(text, board.drawingOf(text))}`);
 }
 
@@ -159,6 +170,7 @@ part("file").addEventListener("change", async () => {
 });
 part("format").addEventListener("click", format);
 part("link").addEventListener("click", copyLink);
+part("add-loads").addEventListener("click", () => moving.set(withSection(moving.text(), loads.first)));
 for (const button of document.querySelectorAll("[data-save]")) {
   button.addEventListener("click", () => {
     button.closest("details").open = false;

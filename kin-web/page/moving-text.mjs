@@ -16,7 +16,8 @@ const TYPED = "kin: typed";
  * @param {(question: object, limit: number) => Promise<any>} ask
  * @param {object} on what happens then
  * @param {(text: string) => void} on.typed after each change of the text
- * @param {(text: string) => void} on.understood after a text without mistakes was compiled
+ * @param {(text: string, outline: object, report: object | undefined) => void} on.understood after a text without
+ *   mistakes was compiled; there is no report if it cannot move
  * @param {(report: object, text: string, isLast: () => boolean) => void} on.moved after its motion was shown
  * @param {(words: string) => void} on.say the state of the text in words
  */
@@ -104,7 +105,7 @@ export function createMovingText(places, ask, on) {
       return;
     }
     outline = check.outline;
-    on.understood(text);
+    on.understood(text, outline, report);
     if (refused) {
       refuse(refused);
       return;

@@ -51,6 +51,9 @@ pub enum Question {
     Draw {
         /// The drawing.
         sketch: Sketch,
+        /// The unit of its lengths, or empty.
+        #[serde(default)]
+        unit: String,
     },
     /// The drawing in a file of another program.
     Import {
@@ -172,7 +175,9 @@ fn answer_to(question: &Question) -> Result<Answer, String> {
             };
             Answer::Files(Document::read(text, NAME)?.code(language)?)
         }
-        Question::Draw { sketch } => Answer::Drawn(Box::new(drawn(sketch, |declared| declared.kin_file("", "", &[])))),
+        Question::Draw { sketch, unit } => {
+            Answer::Drawn(Box::new(drawn(sketch, |declared| declared.kin_file("", unit, &[]))))
+        }
         Question::Import { text } => {
             let found = foreign::read(text).map_err(|error| error.to_string())?;
             Answer::Imported(Box::new(Imported {

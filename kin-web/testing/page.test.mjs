@@ -177,6 +177,31 @@ test("a link holds the drawing of its text, as long as the text is the drawing's
   assert.deepEqual(faults, []);
 });
 
+test("loads are added to a drawing, give its forces, and stay while it changes", async () => {
+  const { page, faults } = await opened();
+  const text = () => page.locator("#editor .cm-content").innerText();
+  await page.locator("#draw").click();
+  await page.locator("#drawings").selectOption({ label: "Toggle clamp" });
+  await shows(page, "ToggleClamp");
+  await page.locator("#add-loads").click();
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  await frame.locator("label", { hasText: "Forces" }).first().waitFor();
+  assert.match(await text(), /force tip = \(0, -100N\);/);
+  assert.equal(await page.locator("#add-loads").isVisible(), false);
+  assert.ok(await page.evaluate(() => location.hash.includes("&drawing=")));
+  const before = await text();
+  await page.locator("#drawing .hit-point").nth(4).focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction((old) => document.querySelector("#editor .cm-content").innerText !== old, before);
+  assert.match(await text(), /r4_tip = .*[^]*force tip = \(0, -100N\);/);
+  // another drawing has no loads of this one
+  await page.locator("#drawings").selectOption({ label: "Four-bar linkage" });
+  await shows(page, "FourBar");
+  assert.doesNotMatch(await text(), /loads/);
+  assert.equal(await page.locator("#mistakes li").count(), 0);
+  assert.deepEqual(faults, []);
+});
+
 test("a file of another program becomes a drawing and a mechanism", async () => {
   const { page, faults } = await opened();
   const file = fileURLToPath(new URL("../../kin-sketch/tests/foreign/pmks/four_bar.txt", import.meta.url));
