@@ -9,12 +9,13 @@ import { serve } from "./serving.mjs";
 import { seriousFaults, typeText, visit } from "./visiting.mjs";
 
 const PHONE = { width: 390, height: 844 };
+const SITE = new URL("../site", import.meta.url).pathname;
 const SUMMARY = new URL("../../docs/SUMMARY.md", import.meta.url);
 let browser;
 let site;
 
 before(async () => {
-  site = await serve();
+  site = await serve(SITE);
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
 });
 after(async () => {
@@ -23,7 +24,7 @@ after(async () => {
 });
 
 const isOwn = (address) => address.startsWith(site.address);
-const opened = (path, options = {}) => visit(browser, site.address + path, options, isOwn);
+const opened = (path, options = {}) => visit(browser, `${site.address}/${path}`, options, isOwn);
 
 /** A block of a chapter, after its first motion. */
 async function living(page, index = 0) {
@@ -49,7 +50,7 @@ test("blocks ask for kin once, when the first comes into view, and move", async 
   page.on("request", (request) => asked.push(request.url()));
   await page.waitForTimeout(300);
   assert.deepEqual([asked, await page.locator(".cm-editor").count()], [[], 0]);
-  await page.goto(`${site.address}book/forces.html`);
+  await page.goto(`${site.address}/book/forces.html`);
   const scrubber = frameOf(await living(page)).locator("#scrubber");
   const first = await scrubber.getAttribute("aria-valuenow");
   await frameOf(page.locator(".living").first()).locator(`#scrubber:not([aria-valuenow="${first}"])`).waitFor();
@@ -104,7 +105,7 @@ test("without scripts, and without a server, the texts and the links of blocks a
   const still = await page.locator(".living figcaption a").first().getAttribute("href");
   const { page: file, faults } = await visit(browser, new URL("../site/book/forces.html", import.meta.url).href);
   for (const [whole, link] of [
-    [page, `${site.address}book/${still}`],
+    [page, `${site.address}/book/${still}`],
     [
       file,
       await file
@@ -133,7 +134,7 @@ test("axe finds no serious fault by day, by night and on a phone, and no page is
     assert.deepEqual(await seriousFaults(page), []);
   }
   for (const chapter of ["assemblies", "library", "grammar"]) {
-    await page.goto(`${site.address}book/${chapter}.html`);
+    await page.goto(`${site.address}/book/${chapter}.html`);
     const [whole, seen] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(whole <= seen, `${chapter}: ${whole} > ${seen}`);
   }

@@ -5,9 +5,12 @@ import { createRequire } from "node:module";
 
 import { chromium } from "playwright-core";
 
+import { serve } from "../../testing/serving.mjs";
 import { startKin } from "./kin.mjs";
-import { serve } from "./server.mjs";
 
+const REPOSITORY = new URL("../../../", import.meta.url).pathname;
+/** The strictest policy that the drawing has to work with. */
+const POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:";
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -19,7 +22,7 @@ const origins = new WeakMap();
 export async function open() {
   const [kin, server, browser] = [
     startKin(),
-    await serve(),
+    await serve(REPOSITORY, { "content-security-policy": POLICY }),
     await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] }),
   ];
   return {
