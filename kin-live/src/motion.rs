@@ -11,7 +11,7 @@ use kin_core::{Assembly, Direction, Plane};
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::{Lengths, Memory};
 use crate::routine::{Given, Inputs, Routine};
-use crate::run::{Choice, Fault, Run, SinglePosition};
+use crate::run::{Choice, Fault, Run};
 
 /// The solver of a mechanism.
 #[derive(Debug)]
@@ -262,13 +262,7 @@ impl Motion {
         choice: Choice<'_, T>,
         found: impl FnOnce(FoundMotion<'_, T>) -> R,
     ) -> Result<R, Fault> {
-        let mut run = Run {
-            code: &self.code,
-            chunk: 0,
-            memory,
-            choice,
-            way: SinglePosition,
-        };
+        let mut run = Run::single(&self.code, memory, choice);
         self.given.write(run.memory.registers, 0, parameters, inputs);
         for order in 0..inputs.orders {
             run.routine(order, 1)?;

@@ -5,7 +5,7 @@ use kin_core::Scalar;
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
 use crate::memory::Lengths;
-use crate::run::{Choice, Run, SinglePosition};
+use crate::run::{Choice, Run};
 
 /// The registers of quantities before a run.
 #[derive(Debug, Default)]
@@ -146,13 +146,7 @@ impl Routine {
         lengths.lend([parameters, inputs.motions], |memory| {
             self.given.write(memory.registers, 0, parameters, inputs);
             self.given.write_unknowns(memory.registers, unknowns);
-            let mut run = Run {
-                code: &self.code,
-                chunk: 0,
-                memory,
-                choice: Choice::default(),
-                way: SinglePosition,
-            };
+            let mut run = Run::single(&self.code, memory, Choice::default());
             run.straight_line();
             let registers = &*run.memory.registers;
             results(&|index| registers[usize::from(self.results[index])][0])

@@ -1,9 +1,12 @@
 /** The drawing board: a drawing whose declaration goes into the text. */
 import { part } from "../../kin-studio/src/page/elements.mjs";
 import { createDrawing, examples } from "../drawing/main.mjs";
+import { lengthUnitOf } from "./numbers.mjs";
 
 /** The time in milliseconds that a declaration may take. */
 const LIMIT = 8000;
+/** No drawing yet, and no file. */
+const NOTHING = { file: null, sketch: null };
 
 /**
  * @param {(text: string, before: string | null) => void} declared what happens with the `.kin` file of each drawing
@@ -13,11 +16,12 @@ export function createBoard(ask, declared) {
   const [panel, button, choice, unit] = [part("drawn"), part("draw"), part("drawings"), part("drawing-unit")];
   let isQuiet = false;
   /** A drawing with its `.kin` file. */
-  let last = { file: null, sketch: null };
+  let last = NOTHING;
+  const asked = (sketch) => ask({ ask: "draw", sketch, unit: unit.value }, LIMIT);
 
   const drawing = createDrawing(part("drawing"), part("tools"), {
     async declare(sketch) {
-      const { drawn, refused } = await ask({ ask: "draw", sketch, unit: unit.value }, LIMIT);
+      const { drawn, refused } = await asked(sketch);
       return drawn ?? { faults: [{ message: refused ?? "", advice: "", points: [], links: [], slides: [] }] };
     },
     changed(result, sketch) {
@@ -37,8 +41,9 @@ export function createBoard(ask, declared) {
   unit.addEventListener("change", async () => {
     const { sketch } = last;
     if (sketch !== null) {
-      const { drawn } = await ask({ ask: "draw", sketch, unit: unit.value }, LIMIT);
-      if (drawn?.file) {
+      const { drawn } = await asked(sketch);
+      // in the meantime it may have changed
+      if (drawn?.file && last.sketch === sketch) {
         write(drawn.file, sketch);
       }
     }
@@ -55,7 +60,7 @@ export function createBoard(ask, declared) {
     ...examples.map(({ title }, index) => new Option(title, String(index))),
   );
   choice.addEventListener("change", () => {
-    last = { file: null, sketch: null };
+    last = NOTHING;
     if (choice.value === "") {
       drawing.clear();
     } else {
@@ -81,7 +86,7 @@ export function createBoard(ask, declared) {
       }
       isQuiet = true;
       last = { file, sketch };
-      unit.value = unitOf(file ?? "");
+      unit.value = lengthUnitOf(file ?? "");
     },
 
     /** The drawing from which a text was written, as long as the text has only grown at its end; else null. */
@@ -91,6 +96,3 @@ export function createBoard(ask, declared) {
 
 /** Whether a text is the file of a drawing, or has grown at its end. */
 export const isGrown = (text, file) => file !== null && text.startsWith(file.trimEnd());
-
-/** The unit of the first length that a text gives, or empty. */
-const unitOf = (text) => /=\s*\(?-?[\d.]+(?:e-?\d+)?(mm|cm|m|in)\b/.exec(text)?.[1] ?? "";

@@ -1,4 +1,4 @@
-/** Dimensions in the text: the sliders of the moving page write their numbers back. */
+/** Dimensions in the text: the sliders of the moving page write their numbers back, and a drawing reads their unit. */
 
 /**
  * The changes that give dimensions other values, as ranges of the text with what stands there then.
@@ -32,3 +32,6 @@ function written(old, dimension, value) {
   const size = dimension === "angle" && unit !== "rad" ? 180 / Math.PI : 1;
   return `${Number((value * size).toPrecision(6))}${unit}`;
 }
+
+/** The unit of the first length that a text gives, or empty. */
+export const lengthUnitOf = (text) => /=\s*\(?-?[\d.]+(?:e-?\d+)?(mm|cm|m|in)\b/.exec(text)?.[1] ?? "";

@@ -6,7 +6,7 @@ use kin_core::batch::Numbers;
 use super::{FoundMotion, Motion, Value};
 use crate::memory::{Lengths, Memory};
 use crate::routine::Inputs;
-use crate::run::{Choice, Fault, Run, SinglePosition};
+use crate::run::{Choice, Fault, Run};
 
 impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
     /// Writes the motions as columns: a direction has its cosine instead of its angle, and its sine.
@@ -56,13 +56,7 @@ impl Motion {
             let inputs = Inputs { motions, ..inputs };
             self.given.write(memory.registers, chunk, parameters, inputs);
         }
-        let mut run = Run {
-            code: &self.code,
-            chunk: 0,
-            memory,
-            choice,
-            way: SinglePosition,
-        };
+        let mut run = Run::single(&self.code, memory, choice);
         for order in 0..inputs.orders {
             run.routine(order, chunks)?;
         }

@@ -85,6 +85,20 @@ pub(crate) struct Run<'r, 'm, T, W, const C: usize> {
     pub(crate) way: W,
 }
 
+impl<'r, 'm, T, const C: usize> Run<'r, 'm, T, SinglePosition, C> {
+    /// A run that leads to a single position, from its first chunk on.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn single(code: &'r Code, memory: Memory<'m, T, C>, choice: Choice<'r, T>) -> Self {
+        Self {
+            code,
+            chunk: 0,
+            memory,
+            choice,
+            way: SinglePosition,
+        }
+    }
+}
+
 impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     /// Runs a routine.
     ///

@@ -48,8 +48,8 @@ impl Document {
     /// document of a text without mistakes comes with it, compiled once for both.
     #[must_use]
     pub fn checked(text: &str, name: &str) -> (String, Option<Self>) {
-        let (object, asked) = file::checked(text, name);
-        let document = asked.ok().map(|(subject, settings)| Self { subject, settings });
+        let file::Checked { object, asked, .. } = file::checked(text, name);
+        let document = asked.map(|(subject, settings)| Self { subject, settings });
         (object, document)
     }
 

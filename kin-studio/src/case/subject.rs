@@ -359,10 +359,9 @@ impl Subject {
         let loads = case.loads.clone().unwrap_or_else(|| linkage.loads());
         let reactions = case.stated.joined(&linkage, &loads).ok()?;
         let assembly = self.assembly(case).ok()?;
-        match reactions.check_contacts(&case.ends()[0], assembly.position()) {
-            Err(ReactionError::Rolling { reaction, mistake }) => {
-                Some((reaction.clone(), ReactionError::Rolling { reaction, mistake }))
-            }
+        let error = reactions.check_contacts(&case.ends()[0], assembly.position()).err()?;
+        match &error {
+            ReactionError::Rolling { reaction, .. } => Some((reaction.clone(), error)),
             _ => None,
         }
     }

@@ -259,24 +259,30 @@ export function start(report, solver, kept = null, written = null) {
     }, 150);
   }
 
+  /** Whether the numbers of the report hold for a sweep. */
+  const isExact = (some) => model.frames !== null || some.reported;
+  const exactPeaks = (some) => (isExact(some) ? givenPeaks(model) : []);
+  function peaksOf(some) {
+    const exact = exactPeaks(some);
+    return exact.length > 0 ? exact : ownPeaks(some);
+  }
+
   function showPeaks() {
-    const exact = model.frames !== null || sweep.reported;
-    const peaks = exact ? givenPeaks(model) : [];
-    const source = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const source =
+      exactPeaks(sweep).length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
     const rest =
       model.drive.joints.length > 0 ? `${source} Where a derivative jumps, those above it are unbounded.` : source;
-    const least = exact ? worstTransmission(model) : null;
+    const least = isExact(sweep) ? worstTransmission(model) : null;
     const at = least && inputText(model, least.at, state.degrees);
     const angle = least && ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${at}.`;
-    const shown = peaks.length > 0 ? peaks : ownPeaks(sweep);
+    const shown = peaksOf(sweep);
     const paper = paperNow();
     paper.showPeaks(shown, state.degrees, `${rest}${angle ?? ""}`);
     if (state.reference === null) {
       paper.comparison.hide();
     } else {
-      const given = state.reference.reported ? givenPeaks(model) : [];
-      const kept = given.length > 0 ? given : ownPeaks(state.reference);
-      paper.comparison.show([state.reference.design, sweep.design], [kept, shown], state.degrees);
+      const { reference } = state;
+      paper.comparison.show([reference.design, sweep.design], [peaksOf(reference), shown], state.degrees);
     }
   }
 

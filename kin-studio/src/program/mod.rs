@@ -163,12 +163,12 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
                 return tasks::print(&file::check(&path, given.get_flag("steps"))?);
             }
             let text = crate::file::text_of(&path).map_err(Fault::wrong)?;
-            let (text, asked) = file::checked(&text, &path.display().to_string());
-            tasks::print(&text)?;
-            match asked {
-                Ok((subject, settings)) if file::slipping(&subject, &settings).is_none() => Ok(()),
-                Ok(_) | Err(1) => Err(Fault::wrong("there is a mistake")),
-                Err(count) => Err(Fault::wrong(format!("there are {count} mistakes"))),
+            let checked = file::checked(&text, &path.display().to_string());
+            tasks::print(&checked.object)?;
+            match checked.mistakes {
+                0 => Ok(()),
+                1 => Err(Fault::wrong("there is a mistake")),
+                count => Err(Fault::wrong(format!("there are {count} mistakes"))),
             }
         }
         Some(("fmt", given)) => {

@@ -9,36 +9,34 @@ use serde_json::{Value, json};
 
 use super::super::subject::Subject;
 use super::read::KinFile;
-use super::{Settings, asked, section, slip};
+use super::{Checked, Settings, asked, section, slip};
 use crate::file::{Mistake, is_ident, is_punct, range_of};
 
 /// The version of the form, which grows when a member changes or goes.
 const VERSION: u32 = 1;
 
-/// One object: see the chapter on the program. The mechanism of a text without mistakes comes with it.
-pub(super) fn checked(
-    file: &str,
-    text: &str,
-    read: Result<KinFile, Vec<Mistake>>,
-) -> (String, Result<(Subject, Settings), usize>) {
-    let (mistakes, outline, asked) = match read {
-        Err(mistakes) => {
-            let all = mistakes.iter();
-            let all = all.map(|mistake| one(text, "error", &mistake.message, &mistake.range));
-            (all.collect::<Vec<_>>(), Value::Null, Err(mistakes.len()))
-        }
+/// One object: see the chapter on the program. The mechanism of a text that was compiled comes with it.
+pub(super) fn checked(file: &str, text: &str, read: Result<KinFile, Vec<Mistake>>) -> Checked {
+    let (remarks, mistakes, outline, asked) = match read {
+        Err(mistakes) => (Vec::new(), mistakes, Value::Null, None),
         Ok(file) => {
             let outline = outline(text, &file);
             let [dimensions, loads] = ["dimensions", "loads"].map(|name| section(&file, name));
             let (subject, settings) = asked(file);
-            let mut remarks = remarks(text, &dimensions, &subject, &settings);
+            let remarks = remarks(text, &dimensions, &subject, &settings);
             let slip = slip(text, &loads, &subject, &settings);
-            remarks.extend(slip.map(|slip| one(text, "error", &slip.message, &slip.range)));
-            (remarks, outline, Ok((subject, settings)))
+            (remarks, slip.into_iter().collect(), outline, Some((subject, settings)))
         }
     };
-    let object = json!({ "version": VERSION, "file": file, "mistakes": mistakes, "outline": outline });
-    (format!("{object}\n"), asked)
+    let errors = mistakes.iter();
+    let errors = errors.map(|mistake| one(text, "error", &mistake.message, &mistake.range));
+    let all: Vec<Value> = remarks.into_iter().chain(errors).collect();
+    let object = json!({ "version": VERSION, "file": file, "mistakes": all, "outline": outline });
+    Checked {
+        object: format!("{object}\n"),
+        mistakes: mistakes.len(),
+        asked,
+    }
 }
 
 fn one(text: &str, severity: &str, message: &str, range: &Range<usize>) -> Value {

@@ -10,8 +10,6 @@ mod read;
 use std::ops::Range;
 use std::path::Path;
 
-use kin_core::reaction::ReactionError;
-
 use super::fault::Fault;
 use super::loads::Loads;
 use super::subject::Subject;
@@ -115,19 +113,24 @@ fn section(file: &KinFile, name: &str) -> Range<usize> {
     section.map_or(0..0, |section| section.whole.clone())
 }
 
-/// A contact whose bodies slip on each other, at its name in the section of loads.
+/// A contact whose bodies slip on each other, at its name in the section of loads. A file without all numbers of the
+/// motion is not looked at.
 fn slip(text: &str, loads: &Range<usize>, subject: &Subject, settings: &Settings) -> Option<Mistake> {
-    let (name, error) = slipping(subject, settings)?;
+    let (name, error) = subject.slip(&settings.typed().case(subject).ok()?)?;
     Some(Mistake::new(error.to_string(), json::named_in(text, loads, &name)))
 }
 
-/// The contact whose bodies slip, by its name, and why. A file without all numbers of the motion is not looked at.
-pub(crate) fn slipping(subject: &Subject, settings: &Settings) -> Option<(String, ReactionError)> {
-    subject.slip(&settings.typed().case(subject).ok()?)
+/// What a check finds.
+pub(crate) struct Checked {
+    /// The object for an editor.
+    pub(crate) object: String,
+    /// The number of mistakes in it.
+    pub(crate) mistakes: usize,
+    /// The mechanism, if it was compiled. It moves with a contact that slips, which is a mistake all the same.
+    pub(crate) asked: Option<(Subject, Settings)>,
 }
 
-/// The object for an editor, and the mechanism of a text without mistakes, or else how many there are. A contact that
-/// slips is a mistake there, but the mechanism still moves.
-pub(crate) fn checked(text: &str, name: &str) -> (String, Result<(Subject, Settings), usize>) {
+/// Checks a text.
+pub(crate) fn checked(text: &str, name: &str) -> Checked {
     json::checked(name, text, KinFile::read(text))
 }
