@@ -78,8 +78,8 @@ pub mod live {
     pub use crate::mechanism::{culprit_in, failed_in};
     pub use crate::number::Changing;
     pub use crate::solve::{
-        Elimination, FactorRow, NewtonMemory, SolutionInRange, agreeing_in, check_guesses_in, choose_in, decisive_in,
-        decisive_vector_in, factor_in, largest_in, newton_in, substitute_in, unwrap_near,
+        Elimination, Equations, FactorRow, NewtonMemory, SolutionInRange, agreeing_in, check_guesses_in, choose_in,
+        decisive_in, decisive_vector_in, factor_in, largest_in, newton_in, substitute_in, unwrap_near,
     };
     #[cfg(feature = "alloc")]
     pub use crate::sweep::{READ, SweptMechanism};

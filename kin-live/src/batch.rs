@@ -39,7 +39,10 @@ impl SliceSolver for Mechanism {
     fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut BatchMemory<T>) {
         let lengths = self.motion.lengths();
         let zero = T::constant(0.0);
-        memory.numbers.resize(lengths.numbers(CHUNKS), zero);
+        let alone = [self.motion.lengths_of_orientations(), self.transmission.lengths()];
+        let alone = alone.map(|lengths| lengths.numbers(1)).into_iter().max();
+        let numbers = lengths.numbers(CHUNKS).max(alone.unwrap_or(0));
+        memory.numbers.resize(numbers, zero);
         memory.near.resize(self.motion.near_length(), zero);
         memory.reals.resize(lengths.reals, 0.0);
         memory.rows.resize(CHUNKS * lengths.rows, FactorRow::default());
@@ -83,29 +86,37 @@ impl SliceSolver for Mechanism {
             rows,
         } = memory;
         let chunks = found.len();
-        let memory = self.motion.lengths().parts::<_, CHUNKS>(numbers, reals, rows);
+        // A closure that calls the machine would be compiled by itself, for the narrowest vectors.
         let choice = match choice {
             PositionChoice::Assembly(index) => Ok(self.motion.in_assembly(index)),
-            PositionChoice::Near(near) => self.motion.near_in(values, parameters, inputs, near),
+            PositionChoice::Near(near) => {
+                let memory = self.motion.lengths_of_orientations().parts(numbers, &mut [], &mut []);
+                self.motion.near_in(values, memory, parameters, inputs, near)
+            }
         };
-        let write = |chunk: usize, motion: FoundMotion<'_, T, CHUNKS>| motion.write_columns(&mut found[chunk]);
-        choice
-            .and_then(|choice| {
+        let result = match choice {
+            Ok(choice) => {
+                let memory = self.motion.lengths().parts::<_, CHUNKS>(numbers, reals, rows);
+                let write = |chunk: usize, motion: FoundMotion<'_, T, CHUNKS>| motion.write_columns(&mut found[chunk]);
                 self.motion
                     .solve_chunks(memory, chunks, parameters, inputs, choice, write)
-            })
-            .map_err(|fault| self.error(fault, parameters, inputs))
+            }
+            Err(fault) => Err(fault),
+        };
+        result.map_err(|fault| self.error(fault, parameters, inputs))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn angles_of_dyads<T: Scalar>(
+    fn angles_of_dyads<T: Scalar + Send + 'static>(
         &self,
+        memory: &mut BatchMemory<T>,
         parameters: &[T],
         inputs: &[T],
         unknowns: &[T],
         angles: &mut [TransmissionAngle<T>],
     ) {
-        self.angles_of_dyads_at(parameters, self.motions(inputs), unknowns, angles);
+        let memory = self.transmission.lengths().parts(&mut memory.numbers, &mut [], &mut []);
+        self.angles_of_dyads_in(memory, parameters, self.motions(inputs), unknowns, angles);
     }
 }
 

@@ -15,7 +15,7 @@ use kin_core::verify::{Differentiated, ThroughSnap, VerifiedFunctions, different
 use kin_core::{BlockForm, Failure, InputValues, PositionSearch, Scalar, SolveError, TransmissionAngle};
 
 use crate::mechanism::Mechanism;
-use crate::memory::Lengths;
+use crate::memory::{Lengths, Memory};
 use crate::routine::Inputs;
 use crate::run::Fault;
 use crate::sheet::SheetCode;
@@ -152,24 +152,30 @@ impl Mechanism {
 
 impl<T: Scalar> TransmissionOver<T> for Mechanism {
     fn angles_of_dyads(&self, parameters: &[T], inputs: &[T], unknowns: &[T], angles: &mut [TransmissionAngle<T>]) {
-        self.angles_of_dyads_at(parameters, Inputs::positions(inputs), unknowns, angles);
+        let inputs = Inputs::positions(inputs);
+        self.transmission
+            .lengths()
+            .lend([parameters, inputs.motions], |memory| {
+                self.angles_of_dyads_in(memory, parameters, inputs, unknowns, angles);
+            });
     }
 }
 
 impl Mechanism {
+    /// Writes the transmission angles, in memory that the caller lends.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn angles_of_dyads_at<T: Scalar>(
+    pub(crate) fn angles_of_dyads_in<T: Scalar>(
         &self,
+        memory: Memory<'_, T, 1>,
         parameters: &[T],
         inputs: Inputs<'_, T>,
         unknowns: &[T],
         angles: &mut [TransmissionAngle<T>],
     ) {
-        self.transmission.run(parameters, inputs, unknowns, |result| {
-            for (index, (slot, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
-                *slot = TransmissionAngle::of(*name, result(2 * index), result(2 * index + 1));
-            }
-        });
+        let found = self.transmission.run_in(memory, parameters, inputs, unknowns);
+        for (index, (slot, name)) in angles.iter_mut().zip(&self.dyads).enumerate() {
+            *slot = TransmissionAngle::of(*name, found.at(2 * index), found.at(2 * index + 1));
+        }
     }
 }
 

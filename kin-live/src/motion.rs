@@ -306,12 +306,15 @@ impl Motion {
         near: &[T],
         function: impl FnOnce(Choice<'_, T>) -> Result<R, Fault>,
     ) -> Result<R, Fault> {
+        let orientations = self.orientations.lengths();
         let lengths = Lengths {
-            registers: self.near_length(),
-            ..Lengths::default()
+            row: self.near_length(),
+            ..orientations
         };
         lengths.lend([parameters, inputs.motions], |memory| {
-            let choice = self.near_in(memory.registers.as_flattened_mut(), parameters, inputs, near)?;
+            let row = &mut *memory.row;
+            let memory = Memory { row: &mut [], ..memory };
+            let choice = self.near_in(row, memory, parameters, inputs, near)?;
             function(choice)
         })
     }
@@ -321,11 +324,18 @@ impl Motion {
         self.unknowns.len() + self.choices
     }
 
-    /// The choice that values of the unknowns stand for, in memory that the caller lends.
+    /// The memory that the orientations take.
+    pub(crate) fn lengths_of_orientations(&self) -> Lengths {
+        self.orientations.lengths()
+    }
+
+    /// The choice that values of the unknowns stand for, in memory that the caller lends: for the choice, and for the
+    /// run that finds it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn near_in<'m, T: Scalar>(
         &self,
         memory: &'m mut [T],
+        run: Memory<'_, T, 1>,
         parameters: &[T],
         inputs: Inputs<'_, T>,
         near: &[T],
@@ -339,11 +349,10 @@ impl Motion {
         }
         let mut assembly = 0;
         if self.choices > 0 {
-            self.orientations.run(parameters, inputs, values, |result| {
-                for (index, slot) in orientations.iter_mut().enumerate() {
-                    *slot = result(index);
-                }
-            });
+            let found = self.orientations.run_in(run, parameters, inputs, values);
+            for (index, slot) in orientations.iter_mut().enumerate() {
+                *slot = found.at(index);
+            }
             for orientation in &*orientations {
                 assembly = 2 * assembly + usize::from(orientation.side() == Assembly::Crossed);
             }

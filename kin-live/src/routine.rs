@@ -4,7 +4,7 @@ use kin_compiler::lowered::{Component, Statement, Symbol};
 use kin_core::Scalar;
 
 use crate::code::{Assembler, Code, Labels, Register, TooLarge};
-use crate::memory::Lengths;
+use crate::memory::{Lengths, Memory};
 use crate::run::{Choice, Run};
 
 /// The registers of quantities before a run.
@@ -133,8 +133,12 @@ impl Routine {
         Ok(Self { code, given, results })
     }
 
+    /// The memory that a run takes.
+    pub(crate) fn lengths(&self) -> Lengths {
+        self.code.lengths
+    }
+
     /// Calls a function with the results.
-    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn run<T: Scalar, R>(
         &self,
         parameters: &[T],
@@ -142,14 +146,41 @@ impl Routine {
         unknowns: &[T],
         results: impl FnOnce(&dyn Fn(usize) -> T) -> R,
     ) -> R {
-        let lengths: Lengths = self.code.lengths;
-        lengths.lend([parameters, inputs.motions], |memory| {
-            self.given.write(memory.registers, 0, parameters, inputs);
-            self.given.write_unknowns(memory.registers, unknowns);
-            let mut run = Run::single(&self.code, memory, Choice::default());
-            run.straight_line();
-            let registers = &*run.memory.registers;
-            results(&|index| registers[usize::from(self.results[index])][0])
+        self.lengths().lend([parameters, inputs.motions], |memory| {
+            let found = self.run_in(memory, parameters, inputs, unknowns);
+            results(&|index| found.at(index))
         })
+    }
+
+    /// The results, in memory that the caller lends.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn run_in<'r, T: Scalar>(
+        &'r self,
+        memory: Memory<'r, T, 1>,
+        parameters: &[T],
+        inputs: Inputs<'_, T>,
+        unknowns: &[T],
+    ) -> Results<'r, T> {
+        self.given.write(memory.registers, 0, parameters, inputs);
+        self.given.write_unknowns(memory.registers, unknowns);
+        let mut run = Run::single(&self.code, memory, Choice::default());
+        run.straight_line();
+        Results {
+            routine: self,
+            registers: run.memory.registers,
+        }
+    }
+}
+
+/// The results of a routine.
+pub(crate) struct Results<'r, T> {
+    routine: &'r Routine,
+    registers: &'r [[T; 1]],
+}
+
+impl<T: Scalar> Results<'_, T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn at(&self, index: usize) -> T {
+        self.registers[usize::from(self.routine.results[index])][0]
     }
 }

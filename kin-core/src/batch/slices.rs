@@ -14,7 +14,7 @@ use super::dispatch::{Kernel, Vectors};
 use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::transmission::{Angles, TransmissionEntries};
+use super::transmission::TransmissionEntries;
 use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
 use super::view::repeat;
 use super::{Column, Fold, FoldError, FoldedNumber, InputGrid, Poses, Slot};
@@ -62,8 +62,9 @@ pub trait SliceSolver: Described {
 
     /// Calculates the transmission angles of a pose, or of a chunk of poses, from the inputs with all orders and the
     /// positions of the unknowns.
-    fn angles_of_dyads<T: Scalar>(
+    fn angles_of_dyads<T: Scalar + Send + 'static>(
         &self,
+        memory: &mut Self::Memory<T>,
         parameters: &[T],
         inputs: &[T],
         unknowns: &[T],
@@ -409,12 +410,19 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         let at = |columns: &[Column<'_>]| columns.iter().map(|column| column.at(index)).collect::<Vec<f64>>();
         let (parameters, inputs, near) = (at(self.parameters), at(self.inputs), at(self.near));
         let mut found = Numbers::default();
-        found.prepare(self.solver, self.angles.are_wanted());
+        let angles_are_wanted = self.angles.are_wanted();
+        found.prepare(self.solver, angles_are_wanted);
         let result = self
             .solver
             .solve_alone(&parameters, &inputs, self.choice(&near), &mut found);
         if result.is_ok() {
-            let _ = self.store_angles(index, &parameters, &inputs, &found, &mut self.no_angles());
+            if angles_are_wanted {
+                let (mut memory, mut angles) = (S::Memory::default(), self.no_angles());
+                self.solver.prepare(&mut memory);
+                self.solver
+                    .angles_of_dyads(&mut memory, &parameters, &inputs, &found.positions, &mut angles);
+                self.angles.store(index, &angles);
+            }
         } else {
             self.angles.leave_out(index);
             found.unknowns.fill(f64::NAN);
@@ -444,24 +452,6 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
                 Slot::Output(index, order) => less(found.outputs[index * self.orders + order]).store(entries, start),
             }
         }
-    }
-
-    /// Calculates and stores the transmission angles that are wanted, starting at a pose. Returns a number that is
-    /// finite if all of them are.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store_angles<V: Scalar + Angles<Element = f64>>(
-        &self,
-        start: usize,
-        parameters: &[V],
-        inputs: &[V],
-        found: &Numbers<V>,
-        angles: &mut [TransmissionAngle<V>],
-    ) -> V {
-        self.angles.store(start, || {
-            self.solver
-                .angles_of_dyads(parameters, inputs, &found.positions, angles);
-            &*angles
-        })
     }
 
     /// Room for the transmission angles, if any are wanted.
@@ -571,7 +561,13 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 }
                 let parameters = &parameters[chunk * parameter_count..(chunk + 1) * parameter_count];
                 let motions = &inputs[chunk * input_count..(chunk + 1) * input_count];
-                sum = found.sum() + alone.store_angles(start + chunk * W, parameters, motions, found, angles);
+                sum = found.sum();
+                if alone.angles.are_wanted() {
+                    alone
+                        .solver
+                        .angles_of_dyads(memory, parameters, motions, &found.positions, angles);
+                    sum = sum + alone.angles.store(start + chunk * W, angles);
+                }
                 is_finite = sum.is_finite_throughout();
             }
             if is_finite {

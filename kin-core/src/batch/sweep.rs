@@ -322,7 +322,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, 
         let nothing = M::Motion::splat(M::Scalar::nan());
         let (unknowns, sines, outputs, result) = match self.batch.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => {
-                let _ = self.angles.store(index, || angles_at(&mechanism, &inputs, &pose));
+                if self.angles.are_wanted() {
+                    self.angles.store(index, angles_at(&mechanism, &inputs, &pose).as_ref());
+                }
                 (
                     pose.unknown_columns(),
                     pose.unknown_sines(),
@@ -408,7 +410,6 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
             if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
-                let angles = alone.angles.store(start, || angles_at(&mechanism, &motions, &pose));
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
@@ -427,7 +428,12 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                         sum = sum + *entry;
                     }
                 }
-                sum = sum + angles;
+                if alone.angles.are_wanted() {
+                    sum = sum
+                        + alone
+                            .angles
+                            .store(start, angles_at(&mechanism, &motions, &pose).as_ref());
+                }
                 let (motions, unknowns, sines) = (motions.as_ref(), unknowns.as_ref(), sines.as_ref());
                 let (destination, outputs) = (alone.destination, outputs.as_ref());
                 if sum.is_finite_throughout() {

@@ -29,21 +29,14 @@ impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
         !self.smallest.is_empty() || self.of_dyads.as_ref().iter().any(|entries| !entries.is_empty())
     }
 
-    /// Stores the angles of one pose or several, starting at a given pose, where they are wanted. Only then are they
-    /// calculated. Returns a number that is finite if all of them are.
+    /// Stores the angles of one pose or several, starting at a given pose. Returns a number that is finite if all of
+    /// them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store<T: Angles<Element = E>, A: AsRef<[TransmissionAngle<T>]>>(
-        &self,
-        start: usize,
-        angles: impl FnOnce() -> A,
-    ) -> T {
+    pub(super) fn store<T: Angles<Element = E>>(&self, start: usize, angles: &[TransmissionAngle<T>]) -> T {
         // Adding negative zero changes nothing, which the compiler knows.
         let mut sum = T::constant(-0.0);
-        if !self.are_wanted() {
-            return sum;
-        }
         let mut smallest = T::constant(core::f64::consts::FRAC_PI_2);
-        for (transmission, entries) in angles().as_ref().iter().zip(self.of_dyads.as_ref()) {
+        for (transmission, entries) in angles.iter().zip(self.of_dyads.as_ref()) {
             let folded = transmission.angle.folded();
             sum = sum + folded;
             smallest = folded.or_smaller(smallest);

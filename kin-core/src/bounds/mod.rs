@@ -9,7 +9,7 @@ use num_traits::Float;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::{Number, real_parts};
-use crate::solve::{Check, Choose, NewtonMemory, Scalar};
+use crate::solve::{Check, Choose, Equations, NewtonMemory, Scalar};
 
 /// The bound of a number of which nothing is known.
 pub(crate) const HUGE: f64 = 1e150;
@@ -814,12 +814,7 @@ impl Scalar for Bounds {
     }
 
     #[inline]
-    fn root(
-        _: &mut [Self],
-        _: &[Self],
-        _: NewtonMemory<'_, Self>,
-        _: impl FnMut(&[Self], &mut [Self], &mut [Self]),
-    ) -> Result<(), Failure> {
+    fn root(_: &mut [Self], _: &[Self], _: NewtonMemory<'_, Self>, _: impl Equations<Self>) -> Result<(), Failure> {
         Err(Failure::not_finite(UNDECIDED))
     }
 }

@@ -11,7 +11,7 @@ use crate::bounds::{Bounds, HUGE, UNDECIDED, Verdict, product, reciprocal, verdi
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::quantity::Name;
-use crate::solve::{Check, Choose, NewtonMemory, Real, Scalar, Validity};
+use crate::solve::{Check, Choose, Equations, NewtonMemory, Real, Scalar, Validity};
 
 /// All values of a function of one variable t in -1 ..= 1, with its derivative at t = 0 and bounds of its second
 /// derivative.
@@ -387,12 +387,7 @@ impl Scalar for Curved {
         Bounds::chosen(ByBounds(choice))
     }
 
-    fn root(
-        _: &mut [Self],
-        _: &[Self],
-        _: NewtonMemory<'_, Self>,
-        _: impl FnMut(&[Self], &mut [Self], &mut [Self]),
-    ) -> Result<(), Failure> {
+    fn root(_: &mut [Self], _: &[Self], _: NewtonMemory<'_, Self>, _: impl Equations<Self>) -> Result<(), Failure> {
         Err(Failure::not_finite(UNDECIDED))
     }
 }

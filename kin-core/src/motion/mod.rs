@@ -403,6 +403,22 @@ and! {
     12 -> 13: a b c d e f g h i j k l;
 }
 
+/// A component of vectors. `map` of an array is not inlined into a long function, and is then compiled for the narrowest
+/// vectors.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn component<V: Copy, T: Copy, const N: usize>(vectors: [V; N], of: impl Fn(V) -> T) -> Motion<T, N> {
+    let Some(first) = vectors.first() else {
+        return Motion {
+            derivatives: vectors.map(of),
+        };
+    };
+    let mut derivatives = [of(*first); N];
+    for (component, vector) in derivatives.iter_mut().zip(&vectors) {
+        *component = of(*vector);
+    }
+    Motion { derivatives }
+}
+
 impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
     /// The motion of a point in the plane, from its coordinates.
     #[inline]
@@ -417,14 +433,14 @@ impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
     #[inline]
     #[must_use]
     pub fn x(self) -> Motion<T, N> {
-        self.map(|vector| vector.x)
+        component(self.derivatives, |vector| vector.x)
     }
 
     /// The second coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn y(self) -> Motion<T, N> {
-        self.map(|vector| vector.y)
+        component(self.derivatives, |vector| vector.y)
     }
 }
 
@@ -453,21 +469,21 @@ impl<T: Copy, const N: usize> Motion<Space<T>, N> {
     #[inline]
     #[must_use]
     pub fn x(self) -> Motion<T, N> {
-        self.map(|vector| vector.x)
+        component(self.derivatives, |vector| vector.x)
     }
 
     /// The second coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn y(self) -> Motion<T, N> {
-        self.map(|vector| vector.y)
+        component(self.derivatives, |vector| vector.y)
     }
 
     /// The third coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn z(self) -> Motion<T, N> {
-        self.map(|vector| vector.z)
+        component(self.derivatives, |vector| vector.z)
     }
 }
 

@@ -248,6 +248,7 @@ impl<T: Scalar> Determinant<T> {
     }
 
     /// The determinant. It is infinite or zero if it exceeds the range of the number type.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn value(self) -> T {
         let Self { pivots, mut exponent } = self;
         let mut product = pivots;
@@ -350,6 +351,7 @@ fn row_norm<T: Scalar>(entries: &[T], count: usize) -> f64 {
 }
 
 /// The exponent of the power of two that scales the largest entry to between 1 and 2.
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
     let largest = largest_of(entries);
     if largest == 0.0 {

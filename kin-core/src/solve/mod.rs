@@ -54,10 +54,10 @@ pub use factor::{Elimination, FactorRow, Factors, factor, factor_in, substitute_
 pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
 pub(crate) use lent::{LentFactors, Orientation, lent_factors_length};
+pub use newton::{Equations, NewtonMemory, largest, largest_in, newton, newton_in};
 pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
 #[cfg(feature = "tape")]
 pub(crate) use newton::{ITERATIONS, SMALLEST_PART, TRIALS};
-pub use newton::{NewtonMemory, largest, largest_in, newton, newton_in};
 pub use scalar::Scalar;
 
 #[cfg(test)]

@@ -53,8 +53,31 @@ pub(crate) const SMALLEST_PART: f64 = 1e-5;
 /// assert!((x - 3.0).abs() < 1e-14 && (y - 4.0).abs() < 1e-14);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn newton<T: Scalar, const N: usize>(
+    guess: [T; N],
+    sizes: [T; N],
+    evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
+) -> Result<[T; N], Failure> {
+    if const { T::DOUBT > 0.0 } {
+        // for several poses at once it is compiled for the vectors of the processor, as its caller is
+        newton_of(guess, sizes, evaluate)
+    } else {
+        newton_alone(guess, sizes, evaluate)
+    }
+}
+
+#[inline]
+fn newton_alone<T: Scalar, const N: usize>(
+    guess: [T; N],
+    sizes: [T; N],
+    evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
+) -> Result<[T; N], Failure> {
+    newton_of(guess, sizes, evaluate)
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn newton_of<T: Scalar, const N: usize>(
     guess: [T; N],
     sizes: [T; N],
     mut evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
@@ -93,31 +116,45 @@ pub fn newton<T: Scalar, const N: usize>(
         ],
         rows: [&mut [FactorRow::default(); N], &mut [FactorRow::default(); N]],
     };
-    newton_in(&mut solution, &sizes, memory, |unknowns, residuals, jacobian| {
+    let evaluate = |unknowns: &[T], residuals: &mut [T], jacobian: &mut [T]| {
         let mut values = guess;
         values.copy_from_slice(unknowns);
         let (typed_residuals, typed_jacobian) = evaluate(values);
         residuals.copy_from_slice(&typed_residuals);
         jacobian.copy_from_slice(typed_jacobian.as_flattened());
-    })?;
+    };
+    newton_in(&mut solution, &sizes, memory, evaluate)?;
     Ok(solution)
 }
 
 /// [`newton`] for any number of unknowns. `solution` is the guess, and then the root, or nothing of use after an error.
 ///
-/// `evaluate` takes the unknowns, and writes the residuals and their Jacobian, row by row.
-///
 /// # Errors
 /// As for [`newton`].
 #[doc(hidden)]
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn newton_in<T: Scalar>(
     solution: &mut [T],
     sizes: &[T],
     memory: NewtonMemory<'_, T>,
-    evaluate: impl FnMut(&[T], &mut [T], &mut [T]),
+    equations: impl Equations<T>,
 ) -> Result<(), Failure> {
-    T::root(solution, sizes, memory, evaluate)
+    T::root(solution, sizes, memory, equations)
+}
+
+/// The equations of [`newton_in`]: a closure, or a type whose method is inlined wherever it is called. A closure is
+/// not where it is long, and is then compiled for the narrowest vectors.
+#[doc(hidden)]
+pub trait Equations<T> {
+    /// Takes the unknowns, and writes the residuals and their Jacobian, row by row.
+    fn evaluate(&mut self, unknowns: &[T], residuals: &mut [T], jacobian: &mut [T]);
+}
+
+impl<T, F: FnMut(&[T], &mut [T], &mut [T])> Equations<T> for F {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn evaluate(&mut self, unknowns: &[T], residuals: &mut [T], jacobian: &mut [T]) {
+        self(unknowns, residuals, jacobian);
+    }
 }
 
 /// Memory that a caller lends to [`newton_in`].
@@ -192,7 +229,7 @@ pub(crate) fn damped_root<T: Scalar>(
     solution: &mut [T],
     sizes: &[T],
     memory: NewtonMemory<'_, T>,
-    mut evaluate: impl FnMut(&[T], &mut [T], &mut [T]),
+    mut equations: impl Equations<T>,
 ) -> Result<(), Failure> {
     let [residuals, other, ..] = memory.vectors;
     let [jacobian, _] = memory.matrices;
@@ -202,10 +239,16 @@ pub(crate) fn damped_root<T: Scalar>(
         matrices: memory.real_matrices,
         rows: &mut *rows,
     };
-    real_root(solution, sizes, [&mut *residuals, jacobian, other], real, &mut evaluate)?;
+    real_root(
+        solution,
+        sizes,
+        [&mut *residuals, jacobian, other],
+        real,
+        &mut equations,
+    )?;
     // The loop runs ⌈log₂(order + 1)⌉ times, computed in integers.
     for _ in 0..usize::BITS - T::ORDER.leading_zeros() {
-        evaluate(solution, residuals, jacobian);
+        equations.evaluate(solution, residuals, jacobian);
         factor_in(jacobian, rows)?;
         substitute_in(jacobian, rows, residuals, other);
         for (entry, change) in solution.iter_mut().zip(&*other) {
@@ -241,7 +284,7 @@ fn real_root<T: Scalar>(
     sizes: &[T],
     [typed_residuals, typed_jacobian, trial]: [&mut [T]; 3],
     memory: RealMemory<'_>,
-    evaluate: &mut impl FnMut(&[T], &mut [T], &mut [T]),
+    equations: &mut impl Equations<T>,
 ) -> Result<(), Failure> {
     let RealMemory {
         vectors,
@@ -270,7 +313,7 @@ fn real_root<T: Scalar>(
     for entry in &mut *unknowns {
         *entry = T::constant(entry.real());
     }
-    evaluate(unknowns, typed_residuals, typed_jacobian);
+    equations.evaluate(unknowns, typed_residuals, typed_jacobian);
     if !are_real([typed_residuals, typed_jacobian], units, residuals, jacobian) {
         return Err(Failure::not_finite(QUANTITY));
     }
@@ -349,7 +392,7 @@ fn real_root<T: Scalar>(
         for _ in 0..TRIALS {
             moved(unknowns, correction, part, units, trial);
             let mut advice = 0.5 * part;
-            evaluate(trial, typed_residuals, typed_jacobian);
+            equations.evaluate(trial, typed_residuals, typed_jacobian);
             if are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian) {
                 corrected(factors, rows, next_residuals, expected);
                 let fall = greatest(expected) / length;

@@ -6,7 +6,7 @@ use crate::number::series::SeriesOf;
 use crate::number::{Changing, Number, real_parts};
 use crate::solve::check::{Check, Choose, Measure, Negative, RowMeasure, SameSide};
 use crate::solve::factor::{Elimination, FactorRow, factor_to, power_of_two, substitute};
-use crate::solve::newton::{NewtonMemory, damped_root};
+use crate::solve::newton::{Equations, NewtonMemory, damped_root};
 
 /// A number with which a mechanism can be solved: a [`Number`] that can also decide.
 ///
@@ -234,9 +234,9 @@ pub trait Scalar: Number {
         solution: &mut [Self],
         sizes: &[Self],
         memory: NewtonMemory<'_, Self>,
-        evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+        equations: impl Equations<Self>,
     ) -> Result<(), Failure> {
-        damped_root(solution, sizes, memory, evaluate)
+        damped_root(solution, sizes, memory, equations)
     }
 }
 

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::solve::{Check, Choose, Elimination, FactorRow, Measure, NewtonMemory, Real, RowMeasure, Scalar};
+use crate::solve::{Check, Choose, Elimination, Equations, FactorRow, Measure, NewtonMemory, Real, RowMeasure, Scalar};
 use crate::tape::recorder::Sought;
 use crate::tape::recording::{self, node};
 use crate::tape::{Comparison, Function, Operator, TapeNode, Value};
@@ -295,7 +295,7 @@ impl<F: Number> Scalar for Recorded<F> {
         solution: &mut [Self],
         sizes: &[Self],
         _: NewtonMemory<'_, Self>,
-        mut evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+        mut equations: impl Equations<Self>,
     ) -> Result<(), Failure> {
         let count = solution.len();
         let mut sought_with = |search: usize| {
@@ -303,7 +303,7 @@ impl<F: Number> Scalar for Recorded<F> {
                 .map(|index| put(TapeNode::Unknown { search, index }))
                 .collect();
             let (mut residuals, mut jacobian) = (unknowns.clone(), unknowns.repeat(count));
-            evaluate(&unknowns, &mut residuals, &mut jacobian);
+            equations.evaluate(&unknowns, &mut residuals, &mut jacobian);
             Sought {
                 guess: values(solution),
                 sizes: values(sizes),

@@ -214,20 +214,25 @@ impl<'a, F: Plain + Float> Run<'a, F> {
         let Some(memory) = NewtonMemory::new(solution.len(), &mut numbers, &mut reals, &mut rows) else {
             unreachable!("the memory has the lengths that it needs");
         };
-        let root = solve::newton_in(&mut solution, &sizes, memory, |at, residuals, jacobian| {
-            for (index_of_node, unknown) in &unknowns {
-                self.numbers[*index_of_node] = at[*unknown];
-            }
-            for value in &search.body {
-                self.compute(*value);
-            }
-            for (place, value) in residuals.iter_mut().zip(&search.residuals) {
-                *place = self.number(*value);
-            }
-            for (place, value) in jacobian.iter_mut().zip(search.jacobian.iter().flatten()) {
-                *place = self.number(*value);
-            }
-        });
+        let root = solve::newton_in(
+            &mut solution,
+            &sizes,
+            memory,
+            |at: &[F], residuals: &mut [F], jacobian: &mut [F]| {
+                for (index_of_node, unknown) in &unknowns {
+                    self.numbers[*index_of_node] = at[*unknown];
+                }
+                for value in &search.body {
+                    self.compute(*value);
+                }
+                for (place, value) in residuals.iter_mut().zip(&search.residuals) {
+                    *place = self.number(*value);
+                }
+                for (place, value) in jacobian.iter_mut().zip(search.jacobian.iter().flatten()) {
+                    *place = self.number(*value);
+                }
+            },
+        );
         self.roots[index] = match root {
             Ok(()) => Ok(solution),
             Err(Failure::NotConverged { residual, .. }) => Err(residual),

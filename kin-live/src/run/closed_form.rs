@@ -99,9 +99,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
                 Found::Scalar(solve::linear(a, b)?)
             }
             (ClosedForm::LinearPair, [Argument::Matrix(rows), Argument::Pair(right)]) => {
-                let rows = rows.map(|row| row.map(|register| self.get(register)));
-                let right = right.map(|register| self.get(register));
-                let (x, y) = solve::linear_pair(rows, right)?;
+                let rows = [self.pair(rows[0]), self.pair(rows[1])];
+                let (x, y) = solve::linear_pair(rows, self.pair(*right))?;
                 Found::Pair(x, y)
             }
             (ClosedForm::Quadratic, [a, b, c]) => {

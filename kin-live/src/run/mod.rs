@@ -162,6 +162,12 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         self.memory.registers[usize::from(register)][self.chunk]
     }
 
+    /// The numbers of two registers.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn pair(&self, [one, other]: [Register; 2]) -> [T; 2] {
+        [self.get(one), self.get(other)]
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn set(&mut self, register: Register, value: T) {
         self.memory.registers[usize::from(register)][self.chunk] = value;
@@ -234,9 +240,9 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
                 self.set(*to, angle);
             }
             Call::TwoAngles { to, y, x, lengths } => {
-                let (y, x) = (y.map(|y| self.get(y)), x.map(|x| self.get(x)));
+                let (y, x) = (self.pair(*y), self.pair(*x));
                 let [first, second] = match lengths {
-                    Some(lengths) => directions(y, x, lengths.map(|length| self.get(length))),
+                    Some(lengths) => directions(y, x, self.pair(*lengths)),
                     None => T::atan2_of_two(y, x),
                 };
                 self.set(to[0], first);
@@ -377,7 +383,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
     /// A kept value of both candidates.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn candidates(&self, candidates: [Register; 2], position: usize) -> [T; 2] {
-        candidates.map(|first| self.memory.registers[usize::from(first) + position][self.chunk])
+        let of = |first: Register| self.memory.registers[usize::from(first) + position][self.chunk];
+        [of(candidates[0]), of(candidates[1])]
     }
 
     /// The choice between the candidates by ranges.

@@ -1,10 +1,10 @@
 //! Newton's method.
 
-use kin_core::__private::live::{NewtonMemory, largest_in, newton_in};
+use kin_core::__private::live::{Equations, NewtonMemory, largest_in, newton_in};
 use kin_core::{Failure, Scalar};
 
 use super::{Run, Way, arithmetic};
-use crate::code::Call;
+use crate::code::{Call, Operation, Register};
 use crate::memory::Memory;
 
 impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
@@ -51,23 +51,50 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
         let Some(memory) = NewtonMemory::new(count, numbers, reals, &mut rows[first_row..]) else {
             unreachable!("the code states how much memory it needs");
         };
-        newton_in(solution, sizes, memory, |unknowns, found, partials| {
-            for (register, unknown) in registers.iter().zip(unknowns) {
-                values[usize::from(*register)][chunk] = *unknown;
-            }
-            for operation in &**body {
-                arithmetic(values, chunk..chunk + 1, constants, *operation);
-            }
-            for (slot, register) in found.iter_mut().zip(residuals) {
-                *slot = values[usize::from(*register)][chunk];
-            }
-            for (slot, register) in partials.iter_mut().zip(jacobian) {
-                *slot = values[usize::from(*register)][chunk];
-            }
-        })?;
+        let equations = BlockEquations {
+            values: &mut **values,
+            chunk,
+            constants,
+            registers,
+            body,
+            residuals,
+            jacobian,
+        };
+        newton_in(solution, sizes, memory, equations)?;
         for (register, unknown) in registers.iter().zip(&*solution) {
             values[usize::from(*register)][chunk] = *unknown;
         }
         Ok(())
+    }
+}
+
+/// The equations of a block, in the registers of a run.
+struct BlockEquations<'r, T, const C: usize> {
+    values: &'r mut [[T; C]],
+    chunk: usize,
+    constants: &'r [f64],
+    /// The registers of the unknowns.
+    registers: &'r [Register],
+    body: &'r [Operation],
+    residuals: &'r [Register],
+    jacobian: &'r [Register],
+}
+
+impl<T: Scalar, const C: usize> Equations<T> for BlockEquations<'_, T, C> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn evaluate(&mut self, unknowns: &[T], residuals: &mut [T], jacobian: &mut [T]) {
+        let (values, chunk) = (&mut *self.values, self.chunk);
+        for (register, unknown) in self.registers.iter().zip(unknowns) {
+            values[usize::from(*register)][chunk] = *unknown;
+        }
+        for operation in self.body {
+            arithmetic(values, chunk..chunk + 1, self.constants, *operation);
+        }
+        for (slot, register) in residuals.iter_mut().zip(self.residuals) {
+            *slot = values[usize::from(*register)][chunk];
+        }
+        for (slot, register) in jacobian.iter_mut().zip(self.jacobian) {
+            *slot = values[usize::from(*register)][chunk];
+        }
     }
 }

@@ -40,7 +40,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, sign_flipped};
 use crate::number::{Number, real_parts};
-use crate::solve::{Check, Choose, Measure, NewtonMemory, RowMeasure, Scalar};
+use crate::solve::{Check, Choose, Equations, Measure, NewtonMemory, RowMeasure, Scalar};
 
 /// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
 #[derive(Clone, Copy, Debug)]
@@ -258,10 +258,12 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
-        self.with(x, |y, x| {
-            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED, E>(y, x);
-            if FUSED || ordinary { angle } else { E::nan() }
-        })
+        let mut result = self;
+        for_each_lane!(lane in 0..W {
+            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED, E>(self.0[lane], x.0[lane]);
+            result.0[lane] = if FUSED || ordinary { angle } else { E::nan() };
+        });
+        result
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -440,9 +442,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
         solution: &mut [Self],
         sizes: &[Self],
         memory: NewtonMemory<'_, Self>,
-        evaluate: impl FnMut(&[Self], &mut [Self], &mut [Self]),
+        equations: impl Equations<Self>,
     ) -> Result<(), Failure> {
-        newton::root(solution, sizes, memory, evaluate)
+        newton::root(solution, sizes, memory, equations)
     }
 }
 

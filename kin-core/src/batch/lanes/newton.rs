@@ -11,7 +11,9 @@ use num_traits::Float;
 use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::solve::{Determinant, FIRST_STEP, FactorRow, LINEAR_STEP, NewtonMemory, Scalar, factor_in, substitute_in};
+use crate::solve::{
+    Determinant, Equations, FIRST_STEP, FactorRow, LINEAR_STEP, NewtonMemory, Scalar, factor_in, substitute_in,
+};
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
 /// damped.
@@ -28,7 +30,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     point: &mut [Lanes<W, FUSED, E>],
     sizes: &[Lanes<W, FUSED, E>],
     memory: NewtonMemory<'_, Lanes<W, FUSED, E>>,
-    mut evaluate: impl FnMut(&[Lanes<W, FUSED, E>], &mut [Lanes<W, FUSED, E>], &mut [Lanes<W, FUSED, E>]),
+    mut equations: impl Equations<Lanes<W, FUSED, E>>,
 ) -> Result<(), Failure> {
     let [residuals, correction, end, expected, from, root] = memory.vectors;
     // The factors of the step before stay, with their rows.
@@ -42,7 +44,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
-        evaluate(point, residuals, factors);
+        equations.evaluate(point, residuals, factors);
         for row in factors.chunks_exact_mut(sizes.len().max(1)) {
             for (entry, size) in row.iter_mut().zip(sizes) {
                 *entry = *entry * *size;
