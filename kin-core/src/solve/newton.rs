@@ -757,11 +757,16 @@ mod tests {
             let memory = NewtonMemory::new(2, &mut numbers, &mut reals, &mut rows).unwrap();
             let mut linkage = four_bar(GRASHOF, T::constant(1.0));
             let mut found = guess.map(T::constant);
-            newton_in(&mut found, &[T::constant(1.0); 2], memory, |at, residuals, jacobian| {
-                let (typed_residuals, typed_jacobian) = linkage([at[0], at[1]]);
-                residuals.copy_from_slice(&typed_residuals);
-                jacobian.copy_from_slice(typed_jacobian.as_flattened());
-            })
+            newton_in(
+                &mut found,
+                &[T::constant(1.0); 2],
+                memory,
+                |at: &[T], residuals: &mut [T], jacobian: &mut [T]| {
+                    let (typed_residuals, typed_jacobian) = linkage([at[0], at[1]]);
+                    residuals.copy_from_slice(&typed_residuals);
+                    jacobian.copy_from_slice(typed_jacobian.as_flattened());
+                },
+            )
             .unwrap();
             found
         }
