@@ -212,22 +212,15 @@ fn chapter() -> String {
     fs::read_to_string(root().join("docs/architecture.md")).expect("the chapter is there")
 }
 
-/// The book says of each room what is in it.
+/// The book lists every room of the packages on which the others stand. Elsewhere the first line of a file is enough.
 #[test]
-fn the_book_describes_every_room() {
+fn the_book_lists_the_rooms_below() {
     let chapter = chapter();
-    for module in [
-        CORE.rooms(),
-        COMPILER.rooms(),
-        LIVE.rooms(),
-        FIT.rooms(),
-        SKETCH.rooms(),
-        PYTHON.rooms(),
-    ]
-    .into_iter()
-    .flatten()
-    .flat_map(|room| room.split('+'))
-    .filter_map(|module| module.split("::").next())
+    for module in [CORE.rooms(), COMPILER.rooms()]
+        .into_iter()
+        .flatten()
+        .flat_map(|room| room.split('+'))
+        .filter_map(|module| module.split("::").next())
     {
         let is_described = [format!("`{module}/`"), format!("`{module}.rs`")]
             .iter()
