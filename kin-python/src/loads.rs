@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use kin_core::any::AssemblyChoice;
 use kin_core::linkage::AnyLinkage;
-use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace};
+use kin_core::load::{NamedLoads, NoSuchName, LoadPoint};
 use kin_core::reaction::{Friction, NamedReactions, Reaction, ReactionError, ReactionPart};
 use kin_core::{Motion, Plane, Space};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -41,7 +41,7 @@ pub(crate) struct Loads {
     calls: Vec<Call>,
 }
 
-fn refused(error: &NoSuchPlace) -> PyErr {
+fn refused(error: &NoSuchName) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -55,10 +55,10 @@ fn vector(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Space<f64>> {
     }
 }
 
-fn with_place<T>(place: &Bound<'_, PyAny>, use_it: impl FnOnce(PointPlace<'_>) -> T) -> PyResult<T> {
+fn with_place<T>(place: &Bound<'_, PyAny>, use_it: impl FnOnce(LoadPoint<'_>) -> T) -> PyResult<T> {
     match place.extract::<String>() {
-        Ok(name) => Ok(use_it(PointPlace::Named(&name))),
-        Err(_) => Ok(use_it(PointPlace::Fixed(vector(place, "place")?))),
+        Ok(name) => Ok(use_it(LoadPoint::Named(&name))),
+        Err(_) => Ok(use_it(LoadPoint::Fixed(vector(place, "place")?))),
     }
 }
 
@@ -68,11 +68,11 @@ impl From<Space<f64>> for Argument {
     }
 }
 
-impl From<PointPlace<'_>> for Argument {
-    fn from(place: PointPlace<'_>) -> Self {
+impl From<LoadPoint<'_>> for Argument {
+    fn from(place: LoadPoint<'_>) -> Self {
         match place {
-            PointPlace::Named(name) => name.into(),
-            PointPlace::Fixed(place) => place.into(),
+            LoadPoint::Named(name) => name.into(),
+            LoadPoint::Fixed(place) => place.into(),
         }
     }
 }
@@ -99,7 +99,7 @@ impl Loads {
         )))
     }
 
-    fn with(&self, call: Call, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchPlace>) -> PyResult<Self> {
+    fn with(&self, call: Call, add: impl FnOnce(NamedLoads) -> Result<NamedLoads, NoSuchName>) -> PyResult<Self> {
         let named = add(self.named.clone()).map_err(|error| refused(&error))?;
         Ok(Self {
             named,
@@ -175,11 +175,11 @@ impl Loads {
     /// The mass of a body, its centre, and its moment of inertia about the centre. The centre is the name of a point,
     /// or a vector in the frame of the body, from its first joint along the line to its second one.
     fn mass_of(&self, body: &str, mass: f64, centre: &Bound<'_, PyAny>, inertia: f64) -> PyResult<Self> {
-        let add = |centre: PointPlace<'_>| {
+        let add = |centre: LoadPoint<'_>| {
             let call = Call::new("mass_of", [body.into(), mass.into(), centre.into(), inertia.into()]);
             let centre = match centre {
-                PointPlace::Fixed(centre) => Plane::new(centre.x, centre.y).into(),
-                named @ PointPlace::Named(_) => named,
+                LoadPoint::Fixed(centre) => Plane::new(centre.x, centre.y).into(),
+                named @ LoadPoint::Named(_) => named,
             };
             self.with(call, |loads| loads.mass_of(body, mass, centre, inertia))
         };
@@ -207,7 +207,7 @@ impl Loads {
 
     /// A spring between two places, with its stiffness and its length at rest.
     fn spring(&self, stiffness: f64, rest: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let add = |from: PointPlace<'_>, to: PointPlace<'_>| {
+        let add = |from: LoadPoint<'_>, to: LoadPoint<'_>| {
             let call = Call::new("spring", [stiffness.into(), rest.into(), from.into(), to.into()]);
             self.with(call, |loads| loads.spring(stiffness, rest, from, to))
         };
@@ -216,7 +216,7 @@ impl Loads {
 
     /// A damper between two places.
     fn damper(&self, damping: f64, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let add = |from: PointPlace<'_>, to: PointPlace<'_>| {
+        let add = |from: LoadPoint<'_>, to: LoadPoint<'_>| {
             let call = Call::new("damper", [damping.into(), from.into(), to.into()]);
             self.with(call, |loads| loads.damper(damping, from, to))
         };

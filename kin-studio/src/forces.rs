@@ -3,7 +3,7 @@
 use kin_core::Space;
 use kin_core::extremes::{AskedQuantity, ExtremeKind, ExtremesError, QuantityAlong, QuantitySource};
 use kin_core::linkage::{AnyLinkage, AnySweep};
-use kin_core::load::{NamedLoads, PointPlace};
+use kin_core::load::{LoadPoint, NamedLoads};
 use kin_core::reaction::{Efficiency, Friction, NamedReactions, ReactionError, ReactionPart, Rolling};
 use kin_core::sweep::SmoothDrive;
 
@@ -76,10 +76,10 @@ impl Default for Stated {
 }
 
 impl StatedPlace {
-    pub(crate) fn own(&self, metres: f64) -> PointPlace<'_> {
+    pub(crate) fn own(&self, metres: f64) -> LoadPoint<'_> {
         match self {
-            Self::Named(name) => PointPlace::Named(name),
-            Self::Fixed(point) => PointPlace::Fixed(point.scale(1.0 / metres)),
+            Self::Named(name) => LoadPoint::Named(name),
+            Self::Fixed(point) => LoadPoint::Fixed(point.scale(1.0 / metres)),
         }
     }
 }

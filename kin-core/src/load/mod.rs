@@ -92,12 +92,12 @@ pub use kinds::{Load, Solid};
 pub use loaded::{Loaded, LoadsOf};
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
-pub use named::PlaceKind;
+pub use named::LoadedKind;
 #[cfg(feature = "alloc")]
 pub(crate) use named::{EFFORT_ENTRIES, NamedLoad, NamedMotion, PointIndex};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-pub use named::{NamedLoads, NoSuchPlace, PointPlace};
+pub use named::{LoadPoint, NamedLoads, NoSuchName};
 #[cfg(feature = "alloc")]
 pub(crate) use plane_body::{ALONG, BodyFrame, centre_on_line};
 pub use system::LoadedSystem;

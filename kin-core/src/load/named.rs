@@ -28,26 +28,26 @@ pub(crate) type NamedMotion<T> = [Change<T>; ENTRIES];
 
 /// A point on which a load acts: one of the mechanism by its name, or one of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PointPlace<'n> {
+pub enum LoadPoint<'n> {
     /// An output, a parameter or another quantity with coordinates.
     Named(&'n str),
     /// A point of the ground.
     Fixed(Space<f64>),
 }
 
-impl<'n> From<&'n str> for PointPlace<'n> {
+impl<'n> From<&'n str> for LoadPoint<'n> {
     fn from(name: &'n str) -> Self {
         Self::Named(name)
     }
 }
 
-impl From<Plane<f64>> for PointPlace<'_> {
+impl From<Plane<f64>> for LoadPoint<'_> {
     fn from(point: Plane<f64>) -> Self {
         Self::Fixed(Space::new(point.x, point.y, 0.0))
     }
 }
 
-impl From<Space<f64>> for PointPlace<'_> {
+impl From<Space<f64>> for LoadPoint<'_> {
     fn from(point: Space<f64>) -> Self {
         Self::Fixed(point)
     }
@@ -161,9 +161,9 @@ impl PointIndex {
     }
 }
 
-/// The kind of a place on which loads act.
+/// The kind of the thing on which a load acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaceKind {
+pub enum LoadedKind {
     /// A point.
     Point,
     /// An angle or a distance.
@@ -172,38 +172,38 @@ pub enum PlaceKind {
     Body,
 }
 
-/// No place of the kind that is wanted has this name.
+/// No point, angle or body has this name.
 #[derive(Clone, PartialEq, Eq)]
-pub struct NoSuchPlace {
+pub struct NoSuchName {
     /// The name.
     pub name: String,
     /// The kind that is wanted.
-    pub kind: PlaceKind,
+    pub kind: LoadedKind,
     /// The names that could be given.
-    pub places: Vec<String>,
+    pub names: Vec<String>,
 }
 
-impl fmt::Display for NoSuchPlace {
+impl fmt::Display for NoSuchName {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (kind, advice) = match self.kind {
-            PlaceKind::Point => ("point", "; declare one, as in `output tip: Point = ..`"),
-            PlaceKind::Angle => ("angle or distance", ""),
-            PlaceKind::Body => ("body", "; state the bodies, as in `body crank: 0, pin;`"),
+            LoadedKind::Point => ("point", "; declare one, as in `output tip: Point = ..`"),
+            LoadedKind::Angle => ("angle or distance", ""),
+            LoadedKind::Body => ("body", "; state the bodies, as in `body crank: 0, pin;`"),
         };
         write!(formatter, "there is no {kind} `{}`", self.name)?;
-        for (index, place) in self.places.iter().enumerate() {
-            write!(formatter, "{} `{place}`", if index == 0 { "; there is" } else { "," })?;
+        for (index, name) in self.names.iter().enumerate() {
+            write!(formatter, "{} `{name}`", if index == 0 { "; there is" } else { "," })?;
         }
-        if self.places.is_empty() {
+        if self.names.is_empty() {
             formatter.write_str(advice)?;
         }
         Ok(())
     }
 }
 
-crate::__debug_by_display!(NoSuchPlace);
+crate::__debug_by_display!(NoSuchName);
 
-impl Error for NoSuchPlace {}
+impl Error for NoSuchName {}
 
 /// The names of the coordinates of a point.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -273,8 +273,8 @@ impl NamedLoads {
     /// A mass at a point: see [`mass`](crate::load::Loads::mass).
     ///
     /// # Errors
-    /// [`NoSuchPlace`] if no point has the name, as for all loads at points.
-    pub fn mass(self, mass: f64, point: &str) -> Result<Self, NoSuchPlace> {
+    /// [`NoSuchName`] if no point has the name, as for all loads at points.
+    pub fn mass(self, mass: f64, point: &str) -> Result<Self, NoSuchName> {
         let point = self.point(point)?;
         Ok(self.and(NamedLoad::Mass(mass, point)))
     }
@@ -299,22 +299,22 @@ impl NamedLoads {
     /// let loads = NamedLoads::new(&FourBar::<f64>::DESCRIPTION).with_bodies(&bodies);
     /// let loads = loads.mass_of("r3", 1.4, Plane::new(0.18, 0.02), 0.016)?;
     /// assert_eq!(loads.bodies(), ["r2", "r3", "r4"]);
-    /// # Ok::<(), kin_core::load::NoSuchPlace>(())
+    /// # Ok::<(), kin_core::load::NoSuchName>(())
     /// ```
     ///
     /// # Errors
-    /// [`NoSuchPlace`] if no body, or no point, has the name.
+    /// [`NoSuchName`] if no body, or no point, has the name.
     pub fn mass_of<'n>(
         self,
         body: &str,
         mass: f64,
-        centre: impl Into<PointPlace<'n>>,
+        centre: impl Into<LoadPoint<'n>>,
         inertia: f64,
-    ) -> Result<Self, NoSuchPlace> {
+    ) -> Result<Self, NoSuchName> {
         let index = self.body(body)?;
         let frame = self.bodies[index].frame;
-        let frame = frame.ok_or_else(|| self.no_such_place(body, PlaceKind::Body))?;
-        let centre = self.place(centre.into())?;
+        let frame = frame.ok_or_else(|| self.no_such_name(body, LoadedKind::Body))?;
+        let centre = self.load_point(centre.into())?;
         Ok(self.and(NamedLoad::Body(mass, inertia, centre, index, frame)))
     }
 
@@ -377,8 +377,8 @@ impl NamedLoads {
     /// ```
     ///
     /// # Errors
-    /// [`NoSuchPlace`] if no body has the name.
-    pub fn solid_of(self, body: &str, solid: Solid) -> Result<Self, NoSuchPlace> {
+    /// [`NoSuchName`] if no body has the name.
+    pub fn solid_of(self, body: &str, solid: Solid) -> Result<Self, NoSuchName> {
         let index = self.body(body)?;
         Ok(self.and(NamedLoad::Solid(solid, index)))
     }
@@ -387,8 +387,8 @@ impl NamedLoads {
     /// [`inertia`](crate::load::Loads::inertia).
     ///
     /// # Errors
-    /// [`NoSuchPlace`] if no angle has the name, as for all loads on angles.
-    pub fn inertia(self, inertia: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+    /// [`NoSuchName`] if no angle has the name, as for all loads on angles.
+    pub fn inertia(self, inertia: f64, angle: &str) -> Result<Self, NoSuchName> {
         let angle = self.number(angle)?;
         Ok(self.and(NamedLoad::Inertia(inertia, angle)))
     }
@@ -397,7 +397,7 @@ impl NamedLoads {
     ///
     /// # Errors
     /// As for [`mass`](Self::mass).
-    pub fn force(self, force: impl VaryingVector<f64>, point: &str) -> Result<Self, NoSuchPlace> {
+    pub fn force(self, force: impl VaryingVector<f64>, point: &str) -> Result<Self, NoSuchName> {
         let point = self.point(point)?;
         Ok(self.and(NamedLoad::Force(force.entry(0), point)))
     }
@@ -406,7 +406,7 @@ impl NamedLoads {
     ///
     /// # Errors
     /// As for [`inertia`](Self::inertia).
-    pub fn torque(self, torque: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+    pub fn torque(self, torque: f64, angle: &str) -> Result<Self, NoSuchName> {
         let angle = self.number(angle)?;
         Ok(self.and(NamedLoad::Torque(torque, angle)))
     }
@@ -419,10 +419,10 @@ impl NamedLoads {
         self,
         stiffness: f64,
         rest: f64,
-        from: impl Into<PointPlace<'n>>,
-        to: impl Into<PointPlace<'n>>,
-    ) -> Result<Self, NoSuchPlace> {
-        let ends = [self.place(from.into())?, self.place(to.into())?];
+        from: impl Into<LoadPoint<'n>>,
+        to: impl Into<LoadPoint<'n>>,
+    ) -> Result<Self, NoSuchName> {
+        let ends = [self.load_point(from.into())?, self.load_point(to.into())?];
         Ok(self.and(NamedLoad::Spring(Spring { stiffness, rest }, ends)))
     }
 
@@ -433,10 +433,10 @@ impl NamedLoads {
     pub fn damper<'n>(
         self,
         damping: f64,
-        from: impl Into<PointPlace<'n>>,
-        to: impl Into<PointPlace<'n>>,
-    ) -> Result<Self, NoSuchPlace> {
-        let ends = [self.place(from.into())?, self.place(to.into())?];
+        from: impl Into<LoadPoint<'n>>,
+        to: impl Into<LoadPoint<'n>>,
+    ) -> Result<Self, NoSuchName> {
+        let ends = [self.load_point(from.into())?, self.load_point(to.into())?];
         Ok(self.and(NamedLoad::Damper(Damper { damping }, ends)))
     }
 
@@ -444,7 +444,7 @@ impl NamedLoads {
     ///
     /// # Errors
     /// As for [`inertia`](Self::inertia).
-    pub fn torsion_spring(self, stiffness: f64, rest: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+    pub fn torsion_spring(self, stiffness: f64, rest: f64, angle: &str) -> Result<Self, NoSuchName> {
         let angle = self.number(angle)?;
         Ok(self.and(NamedLoad::TorsionSpring(Spring { stiffness, rest }, angle)))
     }
@@ -453,14 +453,14 @@ impl NamedLoads {
     ///
     /// # Errors
     /// As for [`inertia`](Self::inertia).
-    pub fn torsion_damper(self, damping: f64, angle: &str) -> Result<Self, NoSuchPlace> {
+    pub fn torsion_damper(self, damping: f64, angle: &str) -> Result<Self, NoSuchName> {
         let angle = self.number(angle)?;
         Ok(self.and(NamedLoad::TorsionDamper(Damper { damping }, angle)))
     }
 
-    fn body(&self, name: &str) -> Result<usize, NoSuchPlace> {
+    fn body(&self, name: &str) -> Result<usize, NoSuchName> {
         let index = self.bodies.iter().position(|body| body.name == name);
-        index.ok_or_else(|| self.no_such_place(name, PlaceKind::Body))
+        index.ok_or_else(|| self.no_such_name(name, LoadedKind::Body))
     }
 
     fn and(mut self, load: NamedLoad) -> Self {
@@ -468,14 +468,14 @@ impl NamedLoads {
         self
     }
 
-    fn number(&self, name: &str) -> Result<usize, NoSuchPlace> {
+    fn number(&self, name: &str) -> Result<usize, NoSuchName> {
         let index = self.names[self.still..].iter().position(|own| own == name);
         index
             .map(|index| self.still + index)
-            .ok_or_else(|| self.no_such_place(name, PlaceKind::Angle))
+            .ok_or_else(|| self.no_such_name(name, LoadedKind::Angle))
     }
 
-    fn point(&self, name: &str) -> Result<PointIndex, NoSuchPlace> {
+    fn point(&self, name: &str) -> Result<PointIndex, NoSuchName> {
         let coordinate = |axis| {
             let is_own = |own: &String| own.rsplit_once('.') == Some((name, axis));
             self.names.iter().position(is_own)
@@ -483,28 +483,28 @@ impl NamedLoads {
         let coordinates = AXES.map(coordinate);
         match coordinates {
             [Some(_), Some(_), _] => Ok(PointIndex::Moving(coordinates)),
-            _ => Err(self.no_such_place(name, PlaceKind::Point)),
+            _ => Err(self.no_such_name(name, LoadedKind::Point)),
         }
     }
 
     /// The indices of a point by its name, or a fixed one.
-    pub(crate) fn place(&self, place: PointPlace<'_>) -> Result<PointIndex, NoSuchPlace> {
-        match place {
-            PointPlace::Named(name) => self.point(name),
-            PointPlace::Fixed(point) => Ok(PointIndex::Fixed(point)),
+    pub(crate) fn load_point(&self, point: LoadPoint<'_>) -> Result<PointIndex, NoSuchName> {
+        match point {
+            LoadPoint::Named(name) => self.point(name),
+            LoadPoint::Fixed(point) => Ok(PointIndex::Fixed(point)),
         }
     }
 
-    fn no_such_place(&self, name: &str, kind: PlaceKind) -> NoSuchPlace {
-        let places = match kind {
-            PlaceKind::Point => self.points(),
-            PlaceKind::Angle => self.angles(),
-            PlaceKind::Body => self.bodies(),
+    fn no_such_name(&self, name: &str, kind: LoadedKind) -> NoSuchName {
+        let names = match kind {
+            LoadedKind::Point => self.points(),
+            LoadedKind::Angle => self.angles(),
+            LoadedKind::Body => self.bodies(),
         };
-        NoSuchPlace {
+        NoSuchName {
             name: name.to_string(),
             kind,
-            places: places.into_iter().map(ToString::to_string).collect(),
+            names: names.into_iter().map(ToString::to_string).collect(),
         }
     }
 
@@ -547,8 +547,8 @@ impl NamedLoads {
         is_space: bool,
     ) -> Result<[T; EFFORT_ENTRIES], LoadError> {
         let mut totals = Totals::<ByNames<'_, T>>::new([NamedPose { quantities, places }], self.gravity);
-        for (place, load) in self.loads.iter().enumerate() {
-            totals.load = place + 1;
+        for (index, load) in self.loads.iter().enumerate() {
+            totals.load = index + 1;
             load.add(&self.bodies, is_space, &mut totals)?;
         }
         if !totals.are_finite() {

@@ -20,15 +20,19 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         &self,
         unknowns: &[Unknown],
         mut values: Vec<SeriesOf<S, N>>,
-        is_open: &[bool],
+        is_undetermined: &[bool],
         responses: &[Vec<SeriesOf<S, N>>],
     ) -> Result<Solution<N, S>, ReactionError> {
-        let open = self.open_connections(unknowns, is_open);
-        if let Some(acting) = self.frictions.iter().find(|acting| open.contains(&acting.connection)) {
+        let undetermined = self.undetermined_connections(unknowns, is_undetermined);
+        if let Some(acting) = self
+            .frictions
+            .iter()
+            .find(|acting| undetermined.contains(&acting.connection))
+        {
             let name = |connection: usize| self.connections[connection].name.clone();
             return Err(ReactionError::Undetermined {
                 reaction: name(acting.connection),
-                all: open.into_iter().map(name).collect(),
+                all: undetermined.into_iter().map(name).collect(),
             });
         }
         if !responses.iter().flatten().all(|value| value.is_finite()) {
@@ -43,7 +47,7 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
-        let mut solution = self.solution(unknowns, &values, is_open);
+        let mut solution = self.solution(unknowns, &values, is_undetermined);
         self.add_friction(&mut solution, &found);
         Ok(solution)
     }
@@ -132,12 +136,12 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         }
     }
 
-    /// The connections that equilibrium leaves open.
-    fn open_connections(&self, unknowns: &[Unknown], is_open: &[bool]) -> Vec<usize> {
-        let is_open = |connection: &usize| {
-            let mut own = unknowns.iter().zip(is_open);
-            own.any(|(unknown, is_open)| *is_open && unknown.connection() == Some(*connection))
+    /// The connections whose forces equilibrium does not determine.
+    fn undetermined_connections(&self, unknowns: &[Unknown], is_undetermined: &[bool]) -> Vec<usize> {
+        let is_undetermined = |connection: &usize| {
+            let mut own = unknowns.iter().zip(is_undetermined);
+            own.any(|(unknown, is_undetermined)| *is_undetermined && unknown.connection() == Some(*connection))
         };
-        (0..self.connections.len()).filter(is_open).collect()
+        (0..self.connections.len()).filter(is_undetermined).collect()
     }
 }

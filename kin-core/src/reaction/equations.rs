@@ -300,16 +300,16 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         for (column, value) in basis.iter().zip(system.solve(right)) {
             values[*column] = *value;
         }
-        let mut is_open = vec![false; unknowns.len()];
+        let mut is_undetermined = vec![false; unknowns.len()];
         for free in (0..unknowns.len()).filter(|column| !basis.contains(column)) {
-            is_open[free] = true;
+            is_undetermined[free] = true;
             let parts = system.solve(&columns[free]);
-            let open = open(parts, &basis, columns, &columns[free]);
-            for (column, takes_part) in basis.iter().zip(open) {
-                is_open[*column] |= takes_part;
+            let taking_part = taking_part(parts, &basis, columns, &columns[free]);
+            for (column, takes_part) in basis.iter().zip(taking_part) {
+                is_undetermined[*column] |= takes_part;
             }
         }
-        self.completed(unknowns, values, &is_open, |own| {
+        self.completed(unknowns, values, &is_undetermined, |own| {
             let mut response = vec![SeriesOf::constant(0.0); unknowns.len()];
             for (column, value) in basis.iter().zip(system.solve(own)) {
                 response[*column] = *value;
@@ -330,8 +330,8 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
             return Ok(None);
         }
         let values = system.solve(right).to_vec();
-        let is_open = vec![false; unknowns.len()];
-        let found = self.completed(unknowns, values, &is_open, |own| system.solve(own).to_vec());
+        let is_undetermined = vec![false; unknowns.len()];
+        let found = self.completed(unknowns, values, &is_undetermined, |own| system.solve(own).to_vec());
         found.map(Some)
     }
 
@@ -340,18 +340,18 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         &self,
         unknowns: &[Unknown],
         values: Vec<SeriesOf<S, N>>,
-        is_open: &[bool],
+        is_undetermined: &[bool],
         mut response: impl FnMut(&[SeriesOf<S, N>]) -> Vec<SeriesOf<S, N>>,
     ) -> Result<Solution<N, S>, ReactionError> {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(ReactionError::NotFinite);
         }
         if self.frictions.is_empty() {
-            return Ok(self.solution(unknowns, &values, is_open));
+            return Ok(self.solution(unknowns, &values, is_undetermined));
         }
         let responses = self.frictions.iter().map(|acting| response(&self.resisting(acting)));
         let responses: Vec<_> = responses.collect();
-        self.with_friction(unknowns, values, is_open, &responses)
+        self.with_friction(unknowns, values, is_undetermined, &responses)
     }
 
     /// The unknowns that hold the bodies, by their indices.
@@ -479,9 +479,14 @@ impl<S: SinglePose, const N: usize> Equations<'_, SeriesOf<S, N>> {
         rank(&rows).null
     }
 
-    pub(super) fn solution(&self, unknowns: &[Unknown], values: &[SeriesOf<S, N>], is_open: &[bool]) -> Solution<N, S> {
+    pub(super) fn solution(
+        &self,
+        unknowns: &[Unknown],
+        values: &[SeriesOf<S, N>],
+        is_undetermined: &[bool],
+    ) -> Solution<N, S> {
         let mut solution = Solution::empty(self.moved.is_space, self.connections.len(), self.drives.len());
-        self.write(unknowns, values, |unknown| is_open[unknown], &mut solution);
+        self.write(unknowns, values, |unknown| is_undetermined[unknown], &mut solution);
         solution
     }
 }
@@ -532,7 +537,7 @@ impl<S: PoseNumber, const N: usize> Equations<'_, SeriesOf<S, N>> {
         &self,
         unknowns: &[Unknown],
         values: &[SeriesOf<S, N>],
-        is_open: impl Fn(usize) -> bool,
+        is_undetermined: impl Fn(usize) -> bool,
         solution: &mut Solution<N, S>,
     ) {
         // those of pins are written one by one, and others add up
@@ -544,7 +549,7 @@ impl<S: PoseNumber, const N: usize> Equations<'_, SeriesOf<S, N>> {
         }
         solution.turned.clear();
         for (index, (unknown, value)) in unknowns.iter().zip(values).enumerate() {
-            let known = (!is_open(index)).then_some(*value);
+            let known = (!is_undetermined(index)).then_some(*value);
             match *unknown {
                 Unknown::Pin { connection, axis } => solution.forces[connection].0[axis] = known,
                 Unknown::Normal { connection, axis } => {
@@ -783,7 +788,7 @@ const TERMS: usize = 3;
 
 /// Which unknowns of the basis take part in a combination that is zero, by the sizes of their forces beside that of the
 /// column itself.
-fn open<S: SinglePose, const N: usize>(
+fn taking_part<S: SinglePose, const N: usize>(
     parts: &[SeriesOf<S, N>],
     basis: &[usize],
     columns: &[Vec<SeriesOf<S, N>>],

@@ -9,7 +9,7 @@ use core::fmt;
 use super::friction::FrictionMistake;
 use super::rolling::RollingMistake;
 use crate::failure::SolveError;
-use crate::load::{LoadError, NoSuchPlace};
+use crate::load::{LoadError, NoSuchName};
 use crate::quantity::Digits;
 
 /// The reason why a mechanism has no reactions, or why one of them is not determined.
@@ -35,7 +35,7 @@ pub enum ReactionError {
         rate: f64,
     },
     /// No vector has the name of an axis, or no body or point that of a contact.
-    NoSuchPlace(NoSuchPlace),
+    NoSuchName(NoSuchName),
     /// A contact cannot roll as it is stated.
     Rolling {
         /// The reaction.
@@ -159,9 +159,9 @@ impl From<SolveError> for ReactionError {
     }
 }
 
-impl From<NoSuchPlace> for ReactionError {
-    fn from(error: NoSuchPlace) -> Self {
-        Self::NoSuchPlace(error)
+impl From<NoSuchName> for ReactionError {
+    fn from(error: NoSuchName) -> Self {
+        Self::NoSuchName(error)
     }
 }
 
@@ -213,7 +213,7 @@ impl fmt::Display for ReactionError {
                  that is fixed to both bodies of the joint",
                 Digits(*rate)
             ),
-            Self::NoSuchPlace(error) => write!(formatter, "{error}"),
+            Self::NoSuchName(error) => write!(formatter, "{error}"),
             Self::Rolling { reaction, mistake } => write!(formatter, "the contact `{reaction}`: {mistake}"),
             Self::NoBall { reaction } => write!(
                 formatter,
@@ -344,7 +344,7 @@ impl Error for ReactionError {
         match self {
             Self::Solve(error) => Some(error),
             Self::Load(error) => Some(error),
-            Self::NoSuchPlace(error) => Some(error),
+            Self::NoSuchName(error) => Some(error),
             Self::ThisDesignOnly { reason, .. } => Some(reason),
             _ => None,
         }

@@ -116,7 +116,7 @@ use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::hermite::TERMS;
 use crate::law::Side;
-use crate::load::{LoadError, NamedLoads, PointPlace};
+use crate::load::{LoadError, LoadPoint, NamedLoads};
 use crate::motion::Motion;
 use crate::number::series::{Series, SeriesOf};
 use crate::number::{Changing, Number, NumberRow};
@@ -366,14 +366,14 @@ impl<'m> NamedReactions<'m> {
     ///
     /// # Errors
     /// [`ReactionError::NoSuchReaction`], [`ReactionError::NoBall`] for a joint that has an axis, and
-    /// [`ReactionError::NoSuchPlace`] if no vector has the name.
-    pub fn hinge<'n>(mut self, name: &str, axis: impl Into<PointPlace<'n>>) -> Result<Self, ReactionError> {
+    /// [`ReactionError::NoSuchName`] if no vector has the name.
+    pub fn hinge<'n>(mut self, name: &str, axis: impl Into<LoadPoint<'n>>) -> Result<Self, ReactionError> {
         let index = self.index(name)?;
         if !self.functions.is_space() || self.connections[index].axis().is_some() {
             let reaction = name.to_string();
             return Err(ReactionError::NoBall { reaction });
         }
-        let axis = self.loads.place(axis.into())?;
+        let axis = self.loads.load_point(axis.into())?;
         self.connections[index].hinge = Some(JointAxis::Vector(axis));
         self.solutions.forget();
         Ok(self)
@@ -616,14 +616,14 @@ fn size<S: SinglePose, const N: usize>(vector: Space<SeriesOf<S, N>>) -> SeriesO
 }
 
 fn undetermined<S>(solution: &Solution<REACH, S>, names: &[String], reaction: String) -> ReactionError {
-    let is_open = |index: &usize| {
+    let is_undetermined = |index: &usize| {
         let vectors = [&solution.forces[*index], &solution.moments[*index]];
         vectors.iter().any(|vector| vector.0.iter().any(Option::is_none))
     };
     ReactionError::Undetermined {
         reaction,
         all: (0..names.len())
-            .filter(is_open)
+            .filter(is_undetermined)
             .map(|index| names[index].clone())
             .collect(),
     }

@@ -309,7 +309,7 @@ impl PlaceOf {
         }
         let mut points = outline.points.iter();
         let name = points.find(|(_, joint)| *joint == index && index < first.moved.joints);
-        let place = name.and_then(|(name, _)| reactions.loads.place((*name).into()).ok());
+        let place = name.and_then(|(name, _)| reactions.loads.load_point((*name).into()).ok());
         place.map_or(Self::Drawn, Self::Quantities)
     }
 }

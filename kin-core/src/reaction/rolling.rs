@@ -10,7 +10,7 @@ use super::frames::{MovedFrame, MovedMechanism, MovingNumber, across, real, slop
 use super::{MovedNumber, NamedReactions, ReactionError, ReactionPlace};
 use crate::any::PositionChoice;
 use crate::geometry::Space;
-use crate::load::{NoSuchPlace, PlaceKind, PointIndex, PointPlace};
+use crate::load::{LoadPoint, LoadedKind, NoSuchName, PointIndex};
 use crate::motion::Motion;
 use crate::number::Number;
 use crate::quantity::Digits;
@@ -21,14 +21,14 @@ use crate::quantity::Digits;
 /// both, and the motion must agree with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling<'n> {
-    pitch: Pitch<PointPlace<'n>>,
+    pitch: Pitch<LoadPoint<'n>>,
     pressure_angle: f64,
 }
 
 impl<'n> Rolling<'n> {
     /// Two gears with these centres and radii, in mesh on the outside or on the inside of one of them.
     #[must_use]
-    pub fn gears(first: impl Into<PointPlace<'n>>, second: impl Into<PointPlace<'n>>, radii: [f64; 2]) -> Self {
+    pub fn gears(first: impl Into<LoadPoint<'n>>, second: impl Into<LoadPoint<'n>>, radii: [f64; 2]) -> Self {
         let centres = [first.into(), second.into()];
         Self {
             pitch: Pitch::Gears { centres, radii },
@@ -39,7 +39,7 @@ impl<'n> Rolling<'n> {
     /// A gear or a wheel with this centre and radius, on a rack or a track in a direction, which may be a vector of the
     /// mechanism or one of the ground, of any length.
     #[must_use]
-    pub fn rack(centre: impl Into<PointPlace<'n>>, radius: f64, along: impl Into<PointPlace<'n>>) -> Self {
+    pub fn rack(centre: impl Into<LoadPoint<'n>>, radius: f64, along: impl Into<LoadPoint<'n>>) -> Self {
         let (centre, along) = (centre.into(), along.into());
         Self {
             pitch: Pitch::Rack { centre, radius, along },
@@ -195,7 +195,7 @@ impl NamedReactions<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`ReactionError::Rolling`] for what no contact has, and [`ReactionError::NoSuchPlace`] if no body or point has a
+    /// [`ReactionError::Rolling`] for what no contact has, and [`ReactionError::NoSuchName`] if no body or point has a
     /// name.
     pub fn rolling(mut self, name: &str, bodies: [&str; 2], rolling: Rolling<'_>) -> Result<Self, ReactionError> {
         let Rolling { pitch, pressure_angle } = rolling;
@@ -218,19 +218,19 @@ impl NamedReactions<'_> {
             let reaction = name.to_string();
             return Err(ReactionError::Rolling { reaction, mistake });
         }
-        let place = |place: PointPlace<'_>| self.loads.place(place);
+        let point = |point: LoadPoint<'_>| self.loads.load_point(point);
         let pitch = match pitch {
             Pitch::Gears {
                 centres: [one, other],
                 radii,
             } => Pitch::Gears {
-                centres: [place(one)?, place(other)?],
+                centres: [point(one)?, point(other)?],
                 radii,
             },
             Pitch::Rack { centre, radius, along } => Pitch::Rack {
-                centre: place(centre)?,
+                centre: point(centre)?,
                 radius,
-                along: place(along)?,
+                along: point(along)?,
             },
         };
         let [by, on] = [self.member(bodies[0])?, self.member(bodies[1])?];
@@ -285,16 +285,16 @@ impl NamedReactions<'_> {
     }
 
     /// A body by its name.
-    fn member(&self, name: &str) -> Result<Member, NoSuchPlace> {
+    fn member(&self, name: &str) -> Result<Member, NoSuchName> {
         let bodies = self.functions.outline().bodies;
         if name == "ground" {
             return Ok(None);
         }
         let body = bodies.iter().position(|body| body.name == name);
-        body.map(Some).ok_or_else(|| NoSuchPlace {
+        body.map(Some).ok_or_else(|| NoSuchName {
             name: name.to_string(),
-            kind: PlaceKind::Body,
-            places: bodies.iter().map(|body| body.name.to_string()).collect(),
+            kind: LoadedKind::Body,
+            names: bodies.iter().map(|body| body.name.to_string()).collect(),
         })
     }
 }

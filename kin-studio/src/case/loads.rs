@@ -2,7 +2,7 @@
 
 use kin_core::any::{Description, Outline};
 use kin_core::linkage::{AnyLinkage, LinkageFunctions};
-use kin_core::load::{NamedLoads, NoSuchPlace, PointPlace, Solid};
+use kin_core::load::{LoadPoint, NamedLoads, NoSuchName, Solid};
 use kin_core::reaction::{ForceProof, Friction, NamedReactions, ProofError, ProvenForce, ReactionError, ReactionPart};
 use kin_core::{Dimension, Space};
 
@@ -217,16 +217,16 @@ impl Loads {
 }
 
 impl End {
-    fn place(&self, metres: f64) -> PointPlace<'_> {
+    fn place(&self, metres: f64) -> LoadPoint<'_> {
         match self {
-            Self::Named(name) => PointPlace::Named(name),
-            Self::Fixed(point) => PointPlace::Fixed(space(*point, metres)),
+            Self::Named(name) => LoadPoint::Named(name),
+            Self::Fixed(point) => LoadPoint::Fixed(space(*point, metres)),
         }
     }
 }
 
 impl Load {
-    fn added(&self, loads: NamedLoads, metres: f64) -> Result<NamedLoads, NoSuchPlace> {
+    fn added(&self, loads: NamedLoads, metres: f64) -> Result<NamedLoads, NoSuchName> {
         let own = |number: &InSi| number.own(metres);
         match self {
             Self::Body(body, mass, Centre::Named(centre), inertia) => {

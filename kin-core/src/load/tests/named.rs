@@ -46,7 +46,7 @@ fn two_drives_under_laws() {
         .torsion_spring(8.0, 0.4, |pose| pose.phi)
         .torsion_damper(0.6, |pose| pose.psi);
     let linkage = AnyLinkage::of(&ARM);
-    let named = || -> Result<_, crate::load::NoSuchPlace> {
+    let named = || -> Result<_, crate::load::NoSuchName> {
         NamedLoads::new(linkage.description())
             .gravity(gravity)
             .mass(2.0, "hand")?

@@ -10,7 +10,7 @@ use crate::geometry::{Plane, Space};
 use crate::law::{Law as _, Piecewise, Rise, Shape};
 use crate::library;
 use crate::linkage::AnyLinkage;
-use crate::load::{NamedLoads, PointPlace};
+use crate::load::{LoadPoint, NamedLoads};
 use crate::mechanism::Mechanism;
 use crate::number::samples;
 use crate::reaction::{NamedReactions, ProofError, ReactionError, ReactionPart, Rolling};
@@ -154,7 +154,7 @@ fn two_gears_pass_on_a_torque() {
                 [wheel, pinion],
             ),
         ] {
-            let [one, other]: [PointPlace<'_>; 2] = centres;
+            let [one, other]: [LoadPoint<'_>; 2] = centres;
             let gears = Rolling::gears(one, other, radii).at_pressure_angle(20_f64.to_radians());
             let reactions = bare.clone().rolling("mesh", bodies, gears).expect("they roll");
             assert_eq!(reactions.bodies_of("mesh").expect("a contact"), [bodies[1], bodies[0]]);
