@@ -52,7 +52,7 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             unreachable!("the code states how much memory it needs");
         };
         let equations = BlockEquations {
-            values: values,
+            values,
             chunk,
             constants,
             registers,
