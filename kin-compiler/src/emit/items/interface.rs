@@ -258,12 +258,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
             type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
 
+            #in_lanes
             fn unknown_motions(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
                 [#(#unknown_motions),*]
             }
 
             #directions
 
+            #in_lanes
             fn output_motions(&self) -> [#runtime::Motion<T, #length>; #output_count] {
                 [#(#output_fields),*]
             }
