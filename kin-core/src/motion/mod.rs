@@ -403,8 +403,8 @@ and! {
     12 -> 13: a b c d e f g h i j k l;
 }
 
-/// A component of vectors. `map` of an array is not inlined into a long function, and is then compiled for the narrowest
-/// vectors.
+/// A component of vectors. `map` of an array is not inlined into a long function, and is then compiled for vectors of
+/// the narrowest kind.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn component<V: Copy, T: Copy, const N: usize>(vectors: [V; N], of: impl Fn(V) -> T) -> Motion<T, N> {
     let Some(first) = vectors.first() else {
