@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use kin_core::any::AssemblyChoice;
 use kin_core::linkage::AnyLinkage;
-use kin_core::load::{NamedLoads, NoSuchName, LoadPoint};
+use kin_core::load::{LoadPoint, NamedLoads, NoSuchName};
 use kin_core::reaction::{Friction, NamedReactions, Reaction, ReactionError, ReactionPart};
 use kin_core::{Motion, Plane, Space};
 use pyo3::exceptions::{PyTypeError, PyValueError};
