@@ -403,22 +403,6 @@ and! {
     12 -> 13: a b c d e f g h i j k l;
 }
 
-/// A component of vectors. `map` of an array is not inlined into a long function, and is then compiled for vectors of
-/// the narrowest kind.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn component<V: Copy, T: Copy, const N: usize>(vectors: [V; N], of: impl Fn(V) -> T) -> Motion<T, N> {
-    let Some(first) = vectors.first() else {
-        return Motion {
-            derivatives: vectors.map(of),
-        };
-    };
-    let mut derivatives = [of(*first); N];
-    for (component, vector) in derivatives.iter_mut().zip(&vectors) {
-        *component = of(*vector);
-    }
-    Motion { derivatives }
-}
-
 impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
     /// The motion of a point in the plane, from its coordinates.
     #[inline]
@@ -433,14 +417,14 @@ impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
     #[inline]
     #[must_use]
     pub fn x(self) -> Motion<T, N> {
-        component(self.derivatives, |vector| vector.x)
+        Row::from_fn(|order| self.derivatives[order].x)
     }
 
     /// The second coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn y(self) -> Motion<T, N> {
-        component(self.derivatives, |vector| vector.y)
+        Row::from_fn(|order| self.derivatives[order].y)
     }
 }
 
@@ -469,21 +453,21 @@ impl<T: Copy, const N: usize> Motion<Space<T>, N> {
     #[inline]
     #[must_use]
     pub fn x(self) -> Motion<T, N> {
-        component(self.derivatives, |vector| vector.x)
+        Row::from_fn(|order| self.derivatives[order].x)
     }
 
     /// The second coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn y(self) -> Motion<T, N> {
-        component(self.derivatives, |vector| vector.y)
+        Row::from_fn(|order| self.derivatives[order].y)
     }
 
     /// The third coordinate of a moving point, or of a vector.
     #[inline]
     #[must_use]
     pub fn z(self) -> Motion<T, N> {
-        component(self.derivatives, |vector| vector.z)
+        Row::from_fn(|order| self.derivatives[order].z)
     }
 }
 
