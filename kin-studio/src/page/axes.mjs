@@ -22,7 +22,7 @@ const ROOM = 0.08;
  * @returns {Axis}
  */
 export function axisOf(values, natural) {
-  const sorted = values.filter((value) => !Number.isNaN(value)).sort((one, other) => one - other);
+  const sorted = Float64Array.from(values.filter((value) => !Number.isNaN(value))).sort();
   if (sorted.length === 0) {
     return { low: -1, high: 1, above: null, below: null };
   }

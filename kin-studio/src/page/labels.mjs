@@ -39,9 +39,10 @@ export function keepLines(room, points, half, closed = false) {
  */
 export function placeName(room, around, text, size, last) {
   const half = [0.5 * LETTER * size * text.length + 1, 0.55 * size];
+  const lines = linesNear(room, around, half);
   if (last) {
     const centre = centreOfChoice(around, half, last.choice);
-    if (centre !== null && costOf(room, centre, half, 9) < 9) {
+    if (centre !== null && costOf(room, lines, centre, half, 9) < 9) {
       room.boxes.push([centre[0] - half[0], centre[1] - half[1], centre[0] + half[0], centre[1] + half[1]]);
       return { x: centre[0], y: centre[1], choice: last.choice };
     }
@@ -52,7 +53,7 @@ export function placeName(room, around, text, size, last) {
     for (let option = 0; option < around.length * SIDES.length; option += 1) {
       const centre = centreOfChoice(around, half, choice);
       const allowed = best === null ? Infinity : best.cost;
-      const cost = costOf(room, centre, half, allowed - distance * 0.05) + distance * 0.05;
+      const cost = costOf(room, lines, centre, half, allowed - distance * 0.05) + distance * 0.05;
       if (cost < allowed - 1e-9) {
         best = { x: centre[0], y: centre[1], cost, choice };
       }
@@ -81,8 +82,23 @@ function centreOfChoice(around, [wide, high], choice) {
   return [point[0] + Math.cos(angle) * (wide + distance), point[1] + Math.sin(angle) * (high + distance)];
 }
 
+/** The lines that can meet a name: most are too far away, and each position would look at them again. */
+function linesNear({ lines }, around, [wide, high]) {
+  const [xs, ys] = [0, 1].map((axis) => around.map((point) => point[axis]));
+  const farthest = DISTANCES.at(-1);
+  const [left, right] = [Math.min(...xs) - 2 * wide - farthest, Math.max(...xs) + 2 * wide + farthest];
+  const [top, bottom] = [Math.min(...ys) - 2 * high - farthest, Math.max(...ys) + 2 * high + farthest];
+  return lines.filter(
+    ([from, to, half]) =>
+      Math.max(from[0], to[0]) + half >= left &&
+      Math.min(from[0], to[0]) - half <= right &&
+      Math.max(from[1], to[1]) + half >= top &&
+      Math.min(from[1], to[1]) - half <= bottom,
+  );
+}
+
 /** The cost of a position: 100 for each overlap with another name or with the edge, less for lines. */
-function costOf(room, [x, y], [wide, high], allowed) {
+function costOf(room, lines, [x, y], [wide, high], allowed) {
   let cost = 0;
   if (x - wide < 2 || y - high < 2 || x + wide > room.width - 2 || y + high > room.height - 2) {
     cost += 100;
@@ -95,7 +111,7 @@ function costOf(room, [x, y], [wide, high], allowed) {
       return cost;
     }
   }
-  for (const [from, to, half] of room.lines) {
+  for (const [from, to, half] of lines) {
     cost += 10 * covered(from, to, [x, y], wide + half, high + half);
     if (cost > allowed) {
       return cost;
