@@ -34,8 +34,8 @@ function buildKin() {
 async function knownBy(wasm) {
   const { instance } = await WebAssembly.instantiate(readFileSync(wasm));
   const { examples } = ask(instance.exports, { ask: "examples" });
-  const { functions } = ask(instance.exports, { ask: "functions" });
-  return { examples, functions };
+  const { words } = ask(instance.exports, { ask: "words" });
+  return { examples, words };
 }
 
 async function writePage(site, wasm, known) {

@@ -45,7 +45,7 @@ export async function movingPage(styleEntry) {
  */
 export async function script(entry, view, kin, known, format = "esm") {
   const worker = await bundled("page/worker.mjs", {}, "iife");
-  const parts = { WORKER: worker, VIEW: view, KIN: kin, EXAMPLES: known.examples, FUNCTIONS: known.functions };
+  const parts = { WORKER: worker, VIEW: view, KIN: kin, EXAMPLES: known.examples, WORDS: known.words };
   const define = Object.entries(parts).map(([name, value]) => [name, JSON.stringify(value)]);
   return bundled(entry, Object.fromEntries(define), format);
 }

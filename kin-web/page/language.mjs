@@ -2,7 +2,7 @@
 import { HighlightStyle, LanguageSupport, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
 
-import { functions } from "./parts.mjs";
+import { words } from "./parts.mjs";
 
 const KEYWORDS = [
   "kin",
@@ -11,6 +11,7 @@ const KEYWORDS = [
   "unknown",
   "output",
   "let",
+  "for",
   "ground",
   "body",
   "slide",
@@ -72,14 +73,22 @@ const style = HighlightStyle.define([
 
 export const kin = new LanguageSupport(StreamLanguage.define(parser), syntaxHighlighting(style));
 
-/** Completions: the words of the language, its functions, and the names of the last text without mistakes. */
+/**
+ * Completions: units behind a number, and else the words of the language, its functions, and the names of the last text
+ * without mistakes.
+ */
 export function completionsFrom(outlineNow) {
-  const words = [
+  const units = words.units.map((label) => ({ label, type: "constant" }));
+  const known = [
     ...KEYWORDS.map((label) => ({ label, type: "keyword" })),
     ...TYPES.map((label) => ({ label, type: "type" })),
-    ...functions.map((label) => ({ label, type: "function" })),
+    ...words.functions.map((label) => ({ label, type: "function" })),
   ];
   return (context) => {
+    const behindNumber = context.matchBefore(/\d\.?\p{L}[\p{L}\p{N}/]*/u);
+    if (behindNumber) {
+      return { from: behindNumber.from + behindNumber.text.search(/\p{L}/u), options: units };
+    }
     const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_]*/u);
     if (!word && !context.explicit) {
       return null;
@@ -87,6 +96,6 @@ export function completionsFrom(outlineNow) {
     const outline = outlineNow();
     const quantities = ["dimensions", "inputs", "unknowns", "outputs"].flatMap((kind) => outline?.[kind] ?? []);
     const names = quantities.map(({ name, documentation }) => ({ label: name, type: "variable", info: documentation }));
-    return { from: word?.from ?? context.pos, options: [...names, ...words] };
+    return { from: word?.from ?? context.pos, options: [...names, ...known] };
   };
 }

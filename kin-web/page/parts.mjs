@@ -1,6 +1,6 @@
 /** The parts that the build puts into a page: kin itself, its worker, and the moving page. */
 
-/* global WORKER, VIEW, KIN, EXAMPLES, FUNCTIONS */
+/* global WORKER, VIEW, KIN, EXAMPLES, WORDS */
 
 /** kin as a compiled module: from the page if it holds kin, and otherwise from its file. */
 export async function kinModule() {
@@ -29,5 +29,5 @@ export const view = VIEW;
 /** The mechanisms of the library as files. @type {{name: string, text: string}[]} */
 export const examples = EXAMPLES;
 
-/** The names that an expression can call. @type {string[]} */
-export const functions = FUNCTIONS;
+/** The names that an expression can call, and the units of numbers. @type {{functions: string[], units: string[]}} */
+export const words = WORDS;

@@ -18,8 +18,8 @@ const NAME: &str = "mechanism.kin";
 pub enum Question {
     /// The mechanisms of the library as files.
     Examples,
-    /// The names that an expression can call.
-    Functions,
+    /// The words of the language that names do not tell.
+    Words,
     /// The mistakes of a text; without any, its outline and the content of the moving page without peaks.
     Motion {
         /// The text of a `.kin` file.
@@ -115,14 +115,23 @@ pub struct Moving {
     pub refused: Option<String>,
 }
 
+/// Words that can be completed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Words {
+    /// The names that an expression can call.
+    pub functions: Vec<&'static str>,
+    /// The units that a number can have.
+    pub units: Vec<&'static str>,
+}
+
 /// An answer to the page.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Answer {
     /// The mechanisms of the library.
     Examples(Vec<Example>),
-    /// The names that an expression can call.
-    Functions(Vec<&'static str>),
+    /// The words of the language.
+    Words(Words),
     /// The mistakes, or the outline with the content of the moving page.
     Motion(Box<Moving>),
     /// The content of the moving page.
@@ -153,7 +162,10 @@ pub fn answer(question: &str) -> String {
 fn answer_to(question: &Question) -> Result<Answer, String> {
     Ok(match question {
         Question::Examples => Answer::Examples(examples()),
-        Question::Functions => Answer::Functions(kin_compiler::function_names().collect()),
+        Question::Words => Answer::Words(Words {
+            functions: kin_compiler::function_names().collect(),
+            units: case::unit_names().collect(),
+        }),
         Question::Motion { text } => {
             let (check, document) = Document::checked(text, NAME);
             let check = RawValue::from_string(check).map_err(|error| error.to_string())?;

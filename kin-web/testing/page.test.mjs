@@ -74,6 +74,26 @@ test("a name is not coloured as the keyword that it resembles", async () => {
   assert.deepEqual(faults, []);
 });
 
+test("a unit is completed behind a number, and a name elsewhere", async () => {
+  const { page, faults } = await opened();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  await page.keyboard.press("Control+End");
+  const completions = page.locator(".cm-tooltip-autocomplete li");
+  for (const [typed, completed] of [
+    ["// 45m", "mm"],
+    [" ro", "rod"],
+  ]) {
+    await page.keyboard.type(typed);
+    await completions
+      .filter({ hasText: new RegExp(`^${completed}`) })
+      .first()
+      .waitFor();
+    await page.keyboard.press("Escape");
+  }
+  assert.deepEqual(faults, []);
+});
+
 /** Far above what a machine without other work takes, and far below what a person waits for, in milliseconds. */
 const SLOWEST = 3000;
 

@@ -32,3 +32,8 @@ pub use language::Language;
 pub fn formatted(text: &str, name: &str) -> Result<String, String> {
     file::formatted(text, name)
 }
+
+/// The names of the units that a number can have, as in `45mm`.
+pub fn unit_names() -> impl Iterator<Item = &'static str> {
+    units::names()
+}

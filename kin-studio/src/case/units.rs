@@ -131,6 +131,30 @@ pub(crate) const TORSION_DAMPING: Kind = Kind {
     ],
 };
 
+/// The units of speeds, which [`value`](super::value) reads.
+const SPEEDS: [&str; 4] = ["rpm", "Hz", "rad/s", "deg/s"];
+
+/// The names of all units.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    let kinds = [
+        LENGTH,
+        ANGLE,
+        MASS,
+        ACCELERATION,
+        FORCE,
+        TORQUE,
+        INERTIA,
+        STIFFNESS,
+        TORSION_STIFFNESS,
+        DAMPING,
+        TORSION_DAMPING,
+    ];
+    let kinds = kinds
+        .into_iter()
+        .flat_map(|kind| kind.units.iter().map(|unit| unit.name));
+    kinds.chain(SPEEDS)
+}
+
 impl Kind {
     /// The unit of a name. Signs of products and powers may be written: `kg*m^2`.
     pub(crate) fn unit(self, name: &str) -> Option<Unit> {
