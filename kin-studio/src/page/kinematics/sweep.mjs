@@ -59,8 +59,9 @@ export function createSweep(model, design, assembly) {
     return along.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
   });
   // apart from the rows next to limits, where rates grow beyond bounds
+  const inner = innerRows(sweep);
   const sizeOfRate = (name, order) =>
-    innerRows(sweep).reduce((size, { pose }) => Math.max(size, Math.abs(pose[name][order] ?? 0)), 0);
+    inner.reduce((size, { pose }) => Math.max(size, Math.abs(pose[name][order] ?? 0)), 0);
   sweep.scales = model.quantities.map(({ name }) => [0, 1, 2, 3, 4].map((order) => sizeOfRate(name, order)));
   return sweep;
 }
