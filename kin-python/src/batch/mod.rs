@@ -18,7 +18,7 @@ use crate::declared::Declared;
 
 use given::{Values, broadcast, motion};
 use memory::{Memory, own};
-use pieces::{Columns, NO_SINE, OutcomeColumns, Piece, on_threads, parts, threads, turn};
+use pieces::{Columns, NO_SINE, OutcomeColumns, Piece, Scratch, on_threads, parts, threads, turn};
 
 pub(crate) use poses::{Batch, restored_batch};
 
@@ -111,12 +111,20 @@ pub(crate) fn solve<'py>(
     let angles: Vec<usize> = angles.map(|(index, _)| index).collect();
     let first_failure = py.detach(|| {
         let pieces = found.pieces(outcomes);
-        let solve = |piece: Piece<'_>| {
+        let solve = |scratch: &mut Scratch, piece: Piece<'_>| {
             let length = piece.outcomes.solved.len();
             let range = piece.from..piece.from + length;
             let parameters = parts(parameters, &range);
             let motions = parts(motions, &range);
-            let mut outcomes = vec![Outcome::Unsolved; length];
+            let Scratch {
+                outcomes,
+                sines,
+                directions,
+            } = scratch;
+            outcomes.clear();
+            outcomes.resize(length, Outcome::Unsolved);
+            sines.clear();
+            sines.resize(directions.len() * length, NO_SINE);
             let mut rest = motions.as_slice();
             let inputs = counts.iter().map(|count| {
                 let (motion, others) = rest.split_at(*count);
@@ -136,23 +144,19 @@ pub(crate) fn solve<'py>(
                     AssemblyChoice::Near(_) => ColumnChoice::Near(&near),
                 },
             };
-            let mut sines = vec![NO_SINE; angles.len() * length];
             let mut wanted = piece.wanted;
             let columns = wanted.iter_mut().map(|(slot, numbers)| (*slot, &mut **numbers));
-            let of_sines = angles.iter().zip(sines.chunks_exact_mut(length));
+            let of_sines = directions.iter().zip(sines.chunks_exact_mut(length));
             let of_sines = of_sines.map(|(unknown, sines)| (Slot::Sine(*unknown), sines));
             let all = &mut WantedColumns::new(columns.chain(of_sines).collect());
-            let solved = declared
-                .mechanism
-                .solve_batch(given, all, &mut outcomes, Vectors::widest());
-            piece.outcomes.write(&outcomes);
-            for (unknown, sines) in angles.iter().zip(sines.chunks_exact(length)) {
-                turn(&mut wanted, *unknown, sines);
-            }
+            let solved = declared.mechanism.solve_batch(given, all, outcomes, Vectors::widest());
             let summary = solved.unwrap_or_else(|_| unreachable!("all columns have the length of the piece"));
+            piece.outcomes.write(outcomes, summary.first_failure.is_none());
+            let mut sines = sines.chunks_exact(length);
+            directions.retain(|unknown| sines.next().is_some_and(|sines| turn(&mut wanted, *unknown, sines)));
             summary.first_failure.map(|(index, error)| (piece.from + index, error))
         };
-        on_threads(pieces, threads, solve)
+        on_threads(pieces, threads, &angles, solve)
     });
     drop(found);
     drop((guards, ends));

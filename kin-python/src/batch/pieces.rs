@@ -20,6 +20,14 @@ const FEWEST: usize = 512;
 /// No sine: an unknown that is no direction leaves it in the column of its sine.
 pub(super) const NO_SINE: f64 = 2.0;
 
+/// The memory of a thread, which its pieces use again.
+pub(super) struct Scratch {
+    pub(super) outcomes: Vec<Outcome>,
+    pub(super) sines: Vec<f64>,
+    /// The unknowns that may be directions; from the second piece on, those that are.
+    pub(super) directions: Vec<usize>,
+}
+
 /// The part of a batch that one thread solves.
 pub(super) struct Piece<'w> {
     pub(super) from: usize,
@@ -54,7 +62,14 @@ impl OutcomeColumns<'_> {
         ]
     }
 
-    pub(super) fn write(self, outcomes: &[Outcome]) {
+    pub(super) fn write(self, outcomes: &[Outcome], are_solved: bool) {
+        // nearly always, and faster
+        if are_solved {
+            self.solved.fill(true);
+            self.singular.fill(false);
+            self.margin.fill(f64::NAN);
+            return;
+        }
         for (index, outcome) in outcomes.iter().enumerate() {
             self.solved[index] = outcome.is_solved();
             self.singular[index] = matches!(outcome, Outcome::Singular);
@@ -111,10 +126,10 @@ impl Columns<'_, '_> {
     }
 }
 
-/// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines.
-pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) {
+/// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines. False if it is none.
+pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) -> bool {
     if sines.first().is_none_or(|sine| *sine == NO_SINE) {
-        return;
+        return false;
     }
     let is_meant = |slot: &Slot| matches!(slot, Slot::Unknown(index, 0) if *index == unknown);
     for (_, cosines) in columns.iter_mut().filter(|(slot, _)| is_meant(slot)) {
@@ -122,6 +137,7 @@ pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[
             *angle = Number::atan2(*sine, *angle);
         }
     }
+    true
 }
 
 /// The parts of columns for a range of poses.
@@ -135,21 +151,30 @@ pub(super) fn threads(wished: Option<usize>) -> usize {
     wished.filter(|threads| *threads > 0).unwrap_or_else(all)
 }
 
-/// Solves all pieces, and returns the failure with the lowest index.
+/// Solves all pieces, and returns the failure with the lowest index. Some unknowns may be directions.
 pub(super) fn on_threads(
     pieces: Vec<Piece<'_>>,
     threads: usize,
-    solve: impl Fn(Piece<'_>) -> Option<(usize, SolveError)> + Sync,
+    directions: &[usize],
+    solve: impl Fn(&mut Scratch, Piece<'_>) -> Option<(usize, SolveError)> + Sync,
 ) -> Option<(usize, SolveError)> {
     let threads = threads.min(pieces.len());
+    let solve_all = |pieces: &mut dyn Iterator<Item = Piece<'_>>| -> Vec<(usize, SolveError)> {
+        let mut scratch = Scratch {
+            outcomes: Vec::new(),
+            sines: Vec::new(),
+            directions: directions.to_vec(),
+        };
+        pieces.filter_map(|piece| solve(&mut scratch, piece)).collect()
+    };
     let failures: Vec<(usize, SolveError)> = if threads <= 1 {
-        pieces.into_iter().filter_map(solve).collect()
+        solve_all(&mut pieces.into_iter())
     } else {
         // Threads of this call only: a process that is forked later has no thread that waits for work.
         let pieces = Mutex::new(pieces.into_iter());
         let next = || pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
         thread::scope(|scope| {
-            let work = || std::iter::from_fn(next).filter_map(&solve).collect::<Vec<_>>();
+            let work = || solve_all(&mut std::iter::from_fn(next));
             let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
             let found = workers.into_iter().flat_map(|worker| match worker.join() {
                 Ok(found) => found,
