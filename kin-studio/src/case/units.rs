@@ -131,10 +131,27 @@ pub(crate) const TORSION_DAMPING: Kind = Kind {
     ],
 };
 
-/// The units of speeds, which [`value`](super::value) reads.
-const SPEEDS: [&str; 4] = ["rpm", "Hz", "rad/s", "deg/s"];
+/// The units of the speed of an angle, each with what multiplies a number and what then divides it, so that `60rpm` is
+/// 2π exactly.
+const SPEEDS: [(&str, f64, f64); 9] = [
+    ("rpm", TAU, 60.0),
+    ("1/min", TAU, 60.0),
+    ("turn/min", TAU, 60.0),
+    ("Hz", TAU, 1.0),
+    ("1/s", TAU, 1.0),
+    ("turn/s", TAU, 1.0),
+    ("rad/s", 1.0, 1.0),
+    ("deg/s", PI, 180.0),
+    ("°/s", PI, 180.0),
+];
 
-/// The names of all units.
+/// The speed of an angle, in radians by second; none if the unit is not that of one.
+pub(crate) fn speed_of_angle(number: f64, name: &str) -> Option<f64> {
+    let (_, by, over) = SPEEDS.into_iter().find(|(unit, ..)| *unit == name)?;
+    Some(number * by / over)
+}
+
+/// The names of all units that begin with a letter, and so can follow a number.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     let kinds = [
         LENGTH,
@@ -152,7 +169,8 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
     let kinds = kinds
         .into_iter()
         .flat_map(|kind| kind.units.iter().map(|unit| unit.name));
-    kinds.chain(SPEEDS)
+    let names = kinds.chain(SPEEDS.into_iter().map(|(name, ..)| name));
+    names.filter(|name| name.starts_with(char::is_alphabetic))
 }
 
 impl Kind {

@@ -1,7 +1,5 @@
 //! Numbers with units, as people type them.
 
-use std::f64::consts::{PI, TAU};
-
 use kin_core::Dimension;
 
 use super::units::{self, Kind, Unit};
@@ -145,17 +143,13 @@ pub(crate) fn speed(dimension: Dimension, text: &str, lengths: &mut Lengths) -> 
     let (number, unit) = split(text)?;
     let unit = unit.replace(' ', "");
     if dimension == Dimension::Angle {
-        return match unit.as_str() {
-            "rpm" | "1/min" | "turn/min" => Ok(number * TAU / 60.0),
-            "Hz" | "1/s" | "turn/s" => Ok(number * TAU),
-            "rad/s" => Ok(number),
-            "deg/s" | "°/s" => Ok(number * PI / 180.0),
-            _ => Err(format!(
+        return units::speed_of_angle(number, &unit).ok_or_else(|| {
+            format!(
                 "`{}` is not the speed of an angle: write `{number}rpm`, `{number}rad/s`, `{number}deg/s` or \
                  `{number}Hz`",
                 text.trim()
-            )),
-        };
+            )
+        });
     }
     match unit.strip_suffix("/s") {
         None if unit.is_empty() => Ok(number),
@@ -187,6 +181,8 @@ pub(crate) fn time(text: &str) -> Result<f64, String> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::{PI, TAU};
+
     use super::*;
 
     #[test]
