@@ -1,7 +1,6 @@
 //! The columns into which a batch stores its numbers, looked up once.
 
 use core::cell::Cell;
-use core::ops::Sub;
 
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Slot, Target, Visitor};
@@ -83,26 +82,50 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         })
     }
 
-    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others,
-    /// and is taken away from all numbers except those of the inputs.
+    /// Stores the motions of the inputs, starting at a given pose.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store_inputs<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R]) {
+        store_all(start, inputs, self.inputs.as_ref());
+    }
+
+    /// Stores the motions that have been found, starting at a given pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store<V: Stored<Element = M::Scalar>, R: Row<V>>(
         &self,
         start: usize,
-        inputs: &[R],
         unknowns: &[R],
         sines: &[Option<V>],
         outputs: &[R],
-        gone: Option<V>,
     ) {
-        store_all(start, inputs, self.inputs.as_ref(), None);
-        store_all(start, unknowns, self.unknowns.as_ref(), gone);
+        store_all(start, unknowns, self.unknowns.as_ref());
         for (sine, entries) in sines.iter().zip(self.sines.as_ref()) {
             if let Some(sine) = sine {
-                less(*sine, gone).store(entries, start);
+                sine.store(entries, start);
             }
         }
-        store_all(start, outputs, self.outputs.as_ref(), gone);
+        store_all(start, outputs, self.outputs.as_ref());
+    }
+
+    /// Stores NaN in the place of the motions that have been found, starting at a given pose: where `gone` is NaN. It
+    /// is zero for the others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, M::Scalar>) {
+        for columns in self.unknowns.as_ref() {
+            for entries in columns.as_ref() {
+                clear(gone, entries, start);
+            }
+        }
+        for columns in self.outputs.as_ref() {
+            for entries in columns.as_ref() {
+                clear(gone, entries, start);
+            }
+        }
+    }
+
+    /// Whether the motion of an input is wanted.
+    pub(super) fn has_inputs(&self) -> bool {
+        let mut columns = self.inputs.as_ref().iter().flat_map(AsRef::as_ref);
+        columns.any(|columns| !columns.is_empty())
     }
 
     /// Whether a sine is wanted.
@@ -114,55 +137,38 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
     /// leaves the other columns as they are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn leave_out_sines(&self, index: usize) {
-        fill_all(index, M::Scalar::nan(), self.sines.as_ref());
-    }
-
-    /// Stores the motions of the inputs, and another number in all other columns but those of sines, starting at a
-    /// given pose.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn fill<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R], number: V) {
-        store_all(start, inputs, self.inputs.as_ref(), None);
-        for columns in self.unknowns.as_ref() {
-            fill_all(start, number, columns.as_ref());
-        }
-        for columns in self.outputs.as_ref() {
-            fill_all(start, number, columns.as_ref());
+        for entries in self.sines.as_ref() {
+            M::Scalar::nan().store(entries, index);
         }
     }
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn store_all<'t, V: Stored, R: Row<V>>(
-    start: usize,
-    motions: &[R],
-    columns: &[impl Row<Entries<'t, V::Element>>],
-    gone: Option<V>,
-) {
+fn store_all<'t, V: Stored, R: Row<V>>(start: usize, motions: &[R], columns: &[impl Row<Entries<'t, V::Element>>]) {
     for (motion, columns) in motions.iter().zip(columns) {
         for order in 0..R::LENGTH {
-            less(motion[order], gone).store(columns[order], start);
+            motion[order].store(columns[order], start);
         }
     }
 }
 
-/// The difference. Taking away zero changes nothing, not even the sign of a zero.
+/// Stores NaN, starting at a given pose: where `gone` is NaN. It is zero for the others.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn less<V: Stored>(number: V, gone: Option<V>) -> V {
-    match gone {
-        Some(gone) => number - gone,
-        None => number,
-    }
-}
-
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn fill_all<V: Stored>(start: usize, number: V, columns: &[Entries<'_, V::Element>]) {
-    for entries in columns {
-        number.store(entries, start);
+pub(super) fn clear<const W: usize, const FUSED: bool, E: Element>(
+    gone: Lanes<W, FUSED, E>,
+    entries: Entries<'_, E>,
+    start: usize,
+) {
+    if let Some(entries) = entries.get(start..start + W) {
+        for_each_lane!(lane in 0..W {
+            let entry = &entries[lane];
+            entry.set(if Float::is_nan(gone.0[lane]) { E::nan() } else { entry.get() });
+        });
     }
 }
 
 /// The stored form of a number: one pose or several.
-pub(super) trait Stored: Copy + Sub<Output = Self> {
+pub(super) trait Stored: Copy {
     /// The stored numbers.
     type Element: Element;
 

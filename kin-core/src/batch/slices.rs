@@ -9,7 +9,7 @@ use core::fmt;
 use core::ops::Range;
 
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::{Entries, Stored};
+use super::destination::{Entries, Stored, clear};
 use super::dispatch::{Kernel, Vectors};
 use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
@@ -429,27 +429,34 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
             found.sines.fill(Some(f64::NAN));
             found.outputs.fill(f64::NAN);
         }
-        self.store(index, &inputs, &found, None);
+        self.store(index, &inputs, &found);
         result
     }
 
-    /// Stores the numbers that are wanted, starting at a pose. If poses have failed, `gone` is NaN for these and zero
-    /// for the others, and is taken away from all numbers except those of the inputs.
+    /// Stores the numbers that are wanted, starting at a pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>, gone: Option<V>) {
-        let less = |number: V| gone.map_or(number, |gone| number - gone);
+    fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>) {
         for (slot, entries) in self.entries {
             match *slot {
                 Slot::Input(index, order) => inputs[index * self.orders + order].store(entries, start),
-                Slot::Unknown(index, order) => {
-                    less(found.unknowns[index * self.orders + order]).store(entries, start);
-                }
+                Slot::Unknown(index, order) => found.unknowns[index * self.orders + order].store(entries, start),
                 Slot::Sine(index) => {
                     if let Some(sine) = found.sines[index] {
-                        less(sine).store(entries, start);
+                        sine.store(entries, start);
                     }
                 }
-                Slot::Output(index, order) => less(found.outputs[index * self.orders + order]).store(entries, start),
+                Slot::Output(index, order) => found.outputs[index * self.orders + order].store(entries, start),
+            }
+        }
+    }
+
+    /// Stores NaN in the place of the motions that have been found, starting at a pose: where `gone` is NaN. It is zero
+    /// for the others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED>) {
+        for (slot, entries) in self.entries {
+            if matches!(slot, Slot::Unknown(..) | Slot::Output(..)) {
+                clear(gone, entries, start);
             }
         }
     }
@@ -573,7 +580,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
             if is_finite {
                 for (chunk, found) in found[..chunks].iter().enumerate() {
                     let inputs = &inputs[chunk * input_count..(chunk + 1) * input_count];
-                    alone.store(start + chunk * W, inputs, found, None);
+                    alone.store(start + chunk * W, inputs, found);
                 }
                 next = start + chunks * W;
                 continue;
@@ -583,14 +590,11 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 continue;
             }
             let (parameters, inputs, found) = (&parameters[..parameter_count], &inputs[..input_count], &mut found[0]);
-            if is_found {
-                alone.store(start, inputs, found, Some(sum.gaps()));
-            } else {
-                found.unknowns.fill(sum);
-                found.outputs.fill(sum);
+            if !is_found {
                 found.sines.fill(None);
-                alone.store(start, inputs, found, None);
             }
+            alone.store(start, inputs, found);
+            alone.clear(start, sum.gaps());
             alone.angles.clear(start, sum.gaps());
             let mut squares = Lanes::constant(0.0);
             for entry in parameters {

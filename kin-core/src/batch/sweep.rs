@@ -11,7 +11,7 @@ use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
 use super::transmission::{TransmissionEntries, angles_at};
-use super::view::{View, gather, look, repeat};
+use super::view::{View, gather, gather_all, look, repeat};
 use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded as _, LoadsOf};
@@ -342,14 +342,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, 
                 )
             }
         };
-        self.destination.store(
-            index,
-            inputs.as_ref(),
-            unknowns.as_ref(),
-            sines.as_ref(),
-            outputs.as_ref(),
-            None,
-        );
+        self.destination.store_inputs(index, inputs.as_ref());
+        self.destination
+            .store(index, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
         result
     }
 }
@@ -393,19 +388,25 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         let mut dimensions = Row::splat(zero);
         let mut guess = Row::splat(zero);
         let mut motions: MotionsInLanes<M, W, FUSED> = Row::splat(Row::splat(zero));
-        let has_sines = alone.destination.has_sines();
+        let (has_inputs, has_sines) = (alone.destination.has_inputs(), alone.destination.has_sines());
+        let has_angles = alone.angles.are_wanted();
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
             let start = next.min(count - W);
+            // The given numbers are gathered where they are needed, and again where they are needed later: if they were
+            // kept, those that are found would not fit into the registers. For the same reason all numbers are stored
+            // before they are tested.
+            if has_inputs {
+                gather_all(&mut motions, inputs.as_ref(), start);
+                alone.destination.store_inputs(start, motions.as_ref());
+            }
             gather(&mut dimensions, parameters.as_ref(), start);
             if G::IS_NEAR {
                 gather(&mut guess, near.as_ref(), start);
             }
-            for (motion, views) in motions.as_mut().iter_mut().zip(inputs.as_ref()) {
-                gather(motion, views.as_ref(), start);
-            }
+            gather_all(&mut motions, inputs.as_ref(), start);
             let mechanism = M::With::from_parameters(dimensions);
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
@@ -420,32 +421,38 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                         sum = sum + *entry;
                     }
                 }
-                for sine in sines.as_ref().iter().flatten() {
-                    sum = sum + *sine;
+                for sine in sines.as_ref() {
+                    sum = match sine {
+                        Some(sine) => sum + *sine,
+                        None => sum,
+                    };
                 }
                 for motion in outputs.as_ref() {
                     for entry in motion.as_ref() {
                         sum = sum + *entry;
                     }
                 }
-                if alone.angles.are_wanted() {
+                alone
+                    .destination
+                    .store(start, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+                if has_angles {
+                    gather(&mut dimensions, parameters.as_ref(), start);
+                    gather_all(&mut motions, inputs.as_ref(), start);
+                    let mechanism = M::With::from_parameters(dimensions);
                     sum = sum
                         + alone
                             .angles
                             .store(start, angles_at(&mechanism, &motions, &pose).as_ref());
                 }
-                let (motions, unknowns, sines) = (motions.as_ref(), unknowns.as_ref(), sines.as_ref());
-                let (destination, outputs) = (alone.destination, outputs.as_ref());
                 if sum.is_finite_throughout() {
-                    destination.store(start, motions, unknowns, sines, outputs, None);
                     next = start + W;
                     continue;
                 }
-                destination.store(start, motions, unknowns, sines, outputs, Some(sum.gaps()));
-            } else {
-                alone.destination.fill(start, motions.as_ref(), sum);
             }
+            alone.destination.clear(start, sum.gaps());
             alone.angles.clear(start, sum.gaps());
+            gather(&mut dimensions, parameters.as_ref(), start);
+            gather_all(&mut motions, inputs.as_ref(), start);
             let mut squares = Lanes::constant(0.0);
             for entry in dimensions.as_ref() {
                 squares = squares.plus_product(*entry, *entry);

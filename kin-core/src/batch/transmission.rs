@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::destination::{Entries, Stored};
+use super::destination::{Entries, Stored, clear};
 use super::lanes::{Element, Lanes};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
@@ -58,9 +58,9 @@ impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, E>) {
         for entries in self.of_dyads.as_ref() {
-            take_away(gone, entries, start);
+            clear(gone, entries, start);
         }
-        take_away(gone, self.smallest, start);
+        clear(gone, self.smallest, start);
     }
 }
 
@@ -77,19 +77,6 @@ pub(super) fn angles_at<M: Mechanism>(
         Row::from_fn(|input| inputs[input].as_ref()[0]),
         Row::from_fn(|unknown| unknowns[unknown].as_ref()[0]),
     )
-}
-
-/// Takes numbers away from what is stored, starting at a given pose.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn take_away<const W: usize, const FUSED: bool, E: Element>(
-    gone: Lanes<W, FUSED, E>,
-    entries: Entries<'_, E>,
-    start: usize,
-) {
-    if let Some(group) = entries.get(start..start + W) {
-        let numbers = Lanes::<W, FUSED, E>::from_fn(|lane| group[lane].get());
-        (numbers - gone).store(entries, start);
-    }
 }
 
 /// Angles of one pose or several.

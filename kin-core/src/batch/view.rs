@@ -70,3 +70,19 @@ pub(super) fn gather<R: Row<Lanes<W, FUSED, E>>, const W: usize, const FUSED: bo
         lanes.0.copy_from_slice(&view.numbers[start..start + W]);
     }
 }
+
+/// [`gather`] for the columns of all orders of several numbers.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn gather_all<'v, I, R, V, const W: usize, const FUSED: bool, E: Element + 'v>(
+    numbers: &mut I,
+    views: &[V],
+    start: usize,
+) where
+    I: Row<R>,
+    R: Row<Lanes<W, FUSED, E>>,
+    V: AsRef<[View<'v, E>]>,
+{
+    for (numbers, views) in numbers.as_mut().iter_mut().zip(views) {
+        gather(numbers, views.as_ref(), start);
+    }
+}

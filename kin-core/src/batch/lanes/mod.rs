@@ -117,12 +117,15 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         let (mut kept, mut failing, mut one_fails) = (self, Self::constant(0.0), false);
         for_each_lane!(lane in 0..W {
             // One condition after the other: the compiler vectorises a comparison with a selection, but not a
-            // conjunction.
+            // conjunction. A selection within the arrays would be stored in part, and could not be read at once.
+            let (mut number, mut gap) = (self.0[lane], E::zero());
             for holds in check.holds(Self::at(&operands, lane)) {
-                kept.0[lane] = if holds { kept.0[lane] } else { E::nan() };
-                failing.0[lane] = if holds { failing.0[lane] } else { E::nan() };
+                number = if holds { number } else { E::nan() };
+                gap = if holds { gap } else { E::nan() };
                 one_fails |= !holds;
             }
+            kept.0[lane] = number;
+            failing.0[lane] = gap;
         });
         (kept, failing, one_fails)
     }
@@ -340,7 +343,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
         let (kept, failing, one_fails) = self.checked(check);
         if one_fails {
-            judge(check, kept, failing, check.square().sqrt())?;
+            judge(check, failing, check.square().sqrt());
         }
         Some(kept)
     }
@@ -360,7 +363,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
         })
         .sqrt();
         if one_fails {
-            judge(check, kept, failing, root)?;
+            judge(check, failing, root);
         }
         Some((kept, root - failing))
     }
@@ -448,22 +451,20 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     }
 }
 
-/// Records verdicts about lanes that fail a check. Returns `None` if nothing is left to solve, because no lane passes.
+/// Records verdicts about lanes that fail a check.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: Element>(
     check: impl Check<Lanes<W, FUSED, E>, N, K>,
-    kept: Lanes<W, FUSED, E>,
     failing: Lanes<W, FUSED, E>,
     root: Lanes<W, FUSED, E>,
-) -> Option<()> {
+) {
     let Some([margin, scale]) = check.shortfall(root) else {
         verdicts::record(failing);
-        return Some(());
+        return;
     };
     verdicts::record(Lanes::<W, FUSED, E>::from_fn(|lane| {
         verdict(failing.0[lane], margin.0[lane], scale.0[lane])
     }));
-    kept.0.iter().any(|number| !Float::is_nan(*number)).then_some(())
 }
 
 /// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise.
