@@ -3,15 +3,13 @@
 import sys
 
 import casadi
-from closed_forms import LINKAGES, symbols
+from closed_forms import form
 
 
 def write(linkage, file):
     """Writes a kernel for turns.c."""
-    dimensions, crank = symbols(linkage, casadi.SX.sym)
-    found = casadi.vertcat(*LINKAGES[linkage][0](casadi, dimensions, crank))
-    arguments = casadi.vertcat(*dimensions, *crank)
-    function = casadi.Function("found", [arguments], [casadi.cse(found)])
+    arguments, found = form(linkage, casadi, casadi.SX.sym)
+    function = casadi.Function("found", [casadi.vertcat(*arguments)], [casadi.cse(casadi.vertcat(*found))])
     function.generate(file)
     with open(file, "a") as text:
         text.write(

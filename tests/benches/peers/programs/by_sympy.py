@@ -1,20 +1,14 @@
-"""The closed form of a linkage through SymPy: as C, and with NumPy on whole arrays."""
+"""The closed form of a linkage through SymPy, as C."""
 
 import sys
 
 import sympy
-from closed_forms import LINKAGES, symbols
-
-
-def form(linkage):
-    """The symbols of the arguments, and the expressions of the results."""
-    dimensions, crank = symbols(linkage, sympy.Symbol)
-    return dimensions + crank, LINKAGES[linkage][0](sympy, dimensions, crank)
+from closed_forms import form
 
 
 def write(linkage, file):
     """Writes a kernel for turns.c."""
-    arguments, found = form(linkage)
+    arguments, found = form(linkage, sympy, sympy.Symbol)
     shared, results = sympy.cse(found)
     lines = [f"    const double {own} = in[{index}];" for index, own in enumerate(arguments)]
     lines += [f"    const double {own} = {sympy.ccode(value)};" for own, value in shared]
@@ -23,13 +17,6 @@ def write(linkage, file):
         text.write("#include <math.h>\n\nint kernel(const double *in, double *out);\n")
         text.write("int kernel(const double *in, double *out)\n{\n")
         text.write("\n".join([*lines, "    return 0;", "}", ""]))
-
-
-def solver(linkage, _):
-    """A function of whole arrays."""
-    arguments, found = form(linkage)
-    function = sympy.lambdify(arguments, found, modules="numpy", cse=True)
-    return lambda columns: function(*columns[: len(arguments)])
 
 
 if __name__ == "__main__":

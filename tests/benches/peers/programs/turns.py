@@ -24,6 +24,6 @@ def take_turns(solve, columns, file):
 
 
 if __name__ == "__main__":
-    _, contender, linkage, width, file = sys.argv
+    _, contender, linkage, width, *way, file = sys.argv
     given = np.fromfile("in", dtype="<f8").reshape(-1, int(width)).T.copy()
-    take_turns(importlib.import_module(contender).solver(linkage, given), given, file)
+    take_turns(importlib.import_module(contender).solver(linkage, given, *way), given, file)

@@ -14,6 +14,8 @@ const REQUIREMENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/requirements.tx
 pub(crate) struct Environment {
     pub(crate) folder: PathBuf,
     python: PathBuf,
+    /// This program, built for all instructions of this machine, as the C of others is.
+    pub(crate) native: Option<PathBuf>,
 }
 
 impl Environment {
@@ -27,7 +29,8 @@ impl Environment {
         if !python.exists() {
             run(Command::new("python3").args(["-m", "venv"]).arg(&home));
         }
-        let own = Self { folder, python };
+        let native = if has_peers { native(&folder) } else { None };
+        let own = Self { folder, python, native };
         let requirements = fs::read_to_string(REQUIREMENTS).expect("the list of packages is there");
         for package in requirements.lines() {
             let name = package.split("==").next().unwrap_or(package);
@@ -92,6 +95,23 @@ impl Environment {
             println!("version of a package: {line}");
         }
     }
+}
+
+/// This program, built for all instructions of this machine, as the C of others is.
+fn native(folder: &Path) -> Option<PathBuf> {
+    let target = folder.join("native");
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo
+        .args(["build", "--release", "--quiet", "--manifest-path"])
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(&target)
+        .env("RUSTFLAGS", "-C target-cpu=native");
+    let is_built = cargo.status().is_ok_and(|status| status.success());
+    if !is_built {
+        println!("kin.solve.native cannot be built");
+    }
+    is_built.then(|| target.join("release").join(env!("CARGO_BIN_NAME")))
 }
 
 /// Cargo's folder for what is built.

@@ -8,7 +8,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Instant;
 
 /// How often a contender solves all rows in a turn. The shortest pass counts, as the first ones find cold caches.
-const PASSES: usize = 10;
+pub(crate) const PASSES: usize = 10;
 
 /// The turn of a contender: the nanoseconds for all rows.
 type Turn<'a> = Box<dyn FnMut() -> f64 + 'a>;

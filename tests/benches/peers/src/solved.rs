@@ -8,22 +8,31 @@ use kin_tests::random::Random;
 /// A pose that a mechanism reaches.
 #[derive(Clone, Copy)]
 pub(crate) struct Wanted<M: ThroughSnap> {
-    inputs: Inputs<M>,
+    pub(crate) inputs: Inputs<M>,
     /// Values near the unknowns, if a block is coupled.
-    near: Option<M::Unknowns<f64>>,
+    pub(crate) near: Option<M::Unknowns<f64>>,
     /// The number of the assembly.
-    assembly: usize,
+    pub(crate) assembly: usize,
 }
 
 /// So many draws without a pose mean that there is none.
 const DRAWS: usize = 200_000;
 
 impl<M: ThroughSnap> Wanted<M> {
-    /// The pose of the first assembly at these inputs.
-    pub(crate) fn at(inputs: Inputs<M>) -> Self {
+    /// The pose of an assembly at these inputs.
+    pub(crate) fn in_assembly(inputs: Inputs<M>, assembly: usize) -> Self {
         Self {
             inputs,
             near: None,
+            assembly,
+        }
+    }
+
+    /// The pose near some values of the unknowns.
+    pub(crate) fn near(inputs: Inputs<M>, near: M::Unknowns<f64>) -> Self {
+        Self {
+            inputs,
+            near: Some(near),
             assembly: 0,
         }
     }

@@ -1,0 +1,42 @@
+//! This program as a contender: it takes turns with `solve`, as `turns.c` does with a kernel.
+
+use core::hint::black_box;
+use std::fs;
+use std::io::BufRead as _;
+use std::time::Instant;
+
+use kin_tests::mechanisms::cases::ThroughSnap;
+
+use crate::linkages::{Course, Visitor};
+use crate::race::PASSES;
+
+/// Solves the poses of a course, writes what it finds to a file, and solves them again for each line of its input.
+pub(crate) struct Turns {
+    pub(crate) course: String,
+    pub(crate) file: String,
+}
+
+impl Visitor for Turns {
+    fn visit<M: ThroughSnap>(&mut self, course: Course<M>) {
+        if course.name() != self.course {
+            return;
+        }
+        let Course { mechanism, wanted, .. } = course;
+        let numbers = wanted.iter().flat_map(|own| own.results(mechanism));
+        let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
+        fs::write(&self.file, bytes).expect("cargo's folder can be written");
+        println!("ready");
+        for _ in std::io::stdin().lock().lines() {
+            let mut shortest = f64::INFINITY;
+            for _ in 0..PASSES {
+                let start = Instant::now();
+                for own in black_box(wanted.as_slice()) {
+                    // by reference: moved into the black box the result would be copied once more
+                    black_box(&own.solve(black_box(mechanism)));
+                }
+                shortest = shortest.min(start.elapsed().as_secs_f64());
+            }
+            println!("{}", shortest * 1e9);
+        }
+    }
+}
