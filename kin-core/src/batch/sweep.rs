@@ -353,6 +353,10 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     type Result = Summary;
     type Element = M::Scalar;
 
+    /// Newton's method gains more from many lanes than it loses.
+    const STORES_MUCH: bool =
+        M::ASSEMBLY_COUNT > 0 && <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH > 16;
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
         let Self { alone, outcomes } = self;
