@@ -450,8 +450,8 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         }
     }
 
-    /// Stores NaN in the place of the motions that have been found, starting at a pose: where `gone` is NaN. It is zero
-    /// for the others.
+    /// Stores NaN in the place of the motions that have been found, starting at a pose: where `gone` is NaN. It is a
+    /// negative zero for the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED>) {
         for (slot, entries) in self.entries {

@@ -54,7 +54,8 @@ impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
         E::nan().store(self.smallest, index);
     }
 
-    /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is zero for the others.
+    /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is a negative zero for the
+    /// others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, E>) {
         for entries in self.of_dyads.as_ref() {

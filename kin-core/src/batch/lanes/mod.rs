@@ -77,10 +77,16 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
         is_finite
     }
 
-    /// NaN in lanes that are not finite, zero in the others.
+    /// NaN in lanes that are not finite, a negative zero in the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gaps(self) -> Self {
-        self.map(|number| if Float::is_finite(number) { E::zero() } else { E::nan() })
+        self.map(|number| {
+            if Float::is_finite(number) {
+                E::neg_zero()
+            } else {
+                E::nan()
+            }
+        })
     }
 
     /// One in lanes that are not finite, zero in the others.
