@@ -11,6 +11,7 @@ use kin_core::tape::{self, Options};
 use kin_tests::mechanisms::cases::ThroughSnap;
 
 use crate::environment::{Environment, build, run};
+use crate::floor::Units;
 use crate::kin::{Written, assert_equal};
 use crate::linkages::{Course, Visitor};
 use crate::race::Race;
@@ -36,13 +37,15 @@ const FREE_FLAGS: [(&str, &[&str]); 3] = [
     ("fast", &["-O3", "-march=native", "-ffast-math"]),
 ];
 
-/// Linkages whose closed form SymPy makes C of within seconds.
+/// Linkages of whose closed form `SymPy` makes C within seconds.
 const SMALL: [&str; 3] = ["four_bar", "slider_crank", "inverted_slider_crank"];
 
 /// Races along all courses, or along those whose name has a part.
 pub(crate) struct Contests<'a> {
     pub(crate) environment: &'a Environment,
     pub(crate) part: String,
+    /// The times of which floors consist.
+    pub(crate) units: Option<Units>,
     /// The lines of the end: for each course and each class the time of kin, that of the best other, and their ratio.
     pub(crate) standings: Vec<String>,
 }
@@ -52,6 +55,15 @@ impl Visitor for Contests<'_> {
         if course.name().contains(&self.part) {
             let times = contest(self.environment, &course);
             self.standings.extend(standings(&course.name(), &times));
+            let of_batch = times.iter().find(|(name, _)| name == "kin.batch");
+            if let (Some(units), Some((_, time)), true) = (&self.units, of_batch, M::ASSEMBLY_COUNT > 0) {
+                let floor = units.floor::<M>(course.is_long());
+                let ratio = time / floor;
+                self.standings.push(format!(
+                    "ratio {}.batch/floor {ratio:.2} ({time:.1} ns, {floor:.1} ns)",
+                    course.name()
+                ));
+            }
         }
     }
 }

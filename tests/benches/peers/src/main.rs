@@ -14,6 +14,7 @@
 
 mod contest;
 mod environment;
+mod floor;
 mod kin;
 mod library;
 mod linkages;
@@ -25,6 +26,7 @@ use std::process::ExitCode;
 
 use contest::Contests;
 use environment::Environment;
+use floor::Units;
 use turns::Turns;
 
 fn main() -> ExitCode {
@@ -33,6 +35,10 @@ fn main() -> ExitCode {
     if let ["--turns", course, file] = words[..] {
         let (course, file) = (course.to_owned(), file.to_owned());
         linkages::visit_all(&mut Turns { course, file });
+        return ExitCode::SUCCESS;
+    }
+    if words == ["--units"] {
+        Units::print();
         return ExitCode::SUCCESS;
     }
     let part = words.first().copied().unwrap_or_default();
@@ -49,6 +55,7 @@ fn main() -> ExitCode {
             let mut contests = Contests {
                 environment: &environment,
                 part: part.to_owned(),
+                units: environment.native.as_deref().and_then(Units::of),
                 standings: Vec::new(),
             };
             linkages::visit_all(&mut contests);
