@@ -72,6 +72,8 @@ impl Vectors {
                 // caller is a machine with AVX2 and FMA. `are_there` has just tested this machine for both, and for an
                 // operating system that saves their registers. Neither can disappear while the program runs.
                 Self::Avx2 => return unsafe { avx2(kernel) },
+                // SAFETY: a machine with AVX-512 has AVX2 and FMA: `are_there` tests for them as well.
+                Self::Avx512 if const { matches!(K::AVX512, Avx512::Not) } => return unsafe { avx2(kernel) },
                 // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five features for which `avx512` is
                 // compiled, and for which `are_there` has just tested this machine.
                 Self::Avx512 => return unsafe { avx512(kernel) },
@@ -83,6 +85,19 @@ impl Vectors {
     }
 }
 
+/// The ways to use AVX-512. Only the one that a kernel chooses is compiled for it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Avx512 {
+    /// Two vectors of double precision for each number, so that fewer steps wait for each other.
+    SixteenLanes,
+    /// One vector. The numbers of sixteen poses may fill the queue in which a processor keeps stores until the memory
+    /// takes them. It waits then: on Zen 4, whose queue holds 32 stores of 512 bits, up to twice as long, where the
+    /// columns do not fit into the caches.
+    EightLanes,
+    /// AVX2 in its place.
+    Not,
+}
+
 /// Code that is compiled once for each kind of vectors. Everything it calls must be inlined, or it is compiled for the
 /// narrowest vectors. Debug builds inline nothing: the results are the same, and the code is compiled in half the time.
 pub trait Kernel {
@@ -91,10 +106,8 @@ pub trait Kernel {
     /// The numbers in its lanes.
     type Element: Element;
 
-    /// Whether it stores so many numbers for each pose that those of a chunk of the widest vectors fill the queue in
-    /// which a processor keeps stores until the memory takes them. It waits then, and halves of such chunks are faster:
-    /// on Zen 4, whose queue holds 32 stores of 512 bits, 1.7 times where the columns do not fit into the caches.
-    const STORES_MUCH: bool = false;
+    /// The way in which it uses AVX-512.
+    const AVX512: Avx512 = Avx512::SixteenLanes;
 
     /// Runs the kernel in `W` lanes.
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
@@ -117,7 +130,7 @@ fn avx2<K: Kernel>(kernel: K) -> K::Result {
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
     // in a constant, so that only one of the two is compiled for a kernel
-    if const { K::STORES_MUCH } {
+    if const { matches!(K::AVX512, Avx512::EightLanes) } {
         K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, true>(kernel)
     } else {
         K::Element::run::<K, MOST_LANES, MOST_SINGLES, true>(kernel)

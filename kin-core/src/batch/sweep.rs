@@ -7,7 +7,7 @@ use num_traits::Float;
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Destination, Entries};
-use super::dispatch::{Kernel, Vectors};
+use super::dispatch::{Avx512, Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
 use super::transmission::{TransmissionEntries, angles_at};
@@ -353,9 +353,17 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     type Result = Summary;
     type Element = M::Scalar;
 
-    /// Newton's method gains more from many lanes than it loses.
-    const STORES_MUCH: bool =
-        M::ASSEMBLY_COUNT > 0 && <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH > 16;
+    /// Newton's method is slower in AVX-512 than in AVX2: it waits for the slowest of more poses, and stores more.
+    const AVX512: Avx512 = {
+        let numbers = <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH;
+        if M::ASSEMBLY_COUNT == 0 {
+            Avx512::Not
+        } else if numbers > 16 {
+            Avx512::EightLanes
+        } else {
+            Avx512::SixteenLanes
+        }
+    };
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
