@@ -26,7 +26,7 @@ pub enum Vectors {
     Compiled,
     /// AVX2 with fused multiply-add: four numbers per instruction, eight in single precision.
     Avx2,
-    /// AVX-512: eight numbers per instruction, sixteen in single precision.
+    /// AVX-512: eight numbers per instruction, sixteen in single precision. Newton's method uses AVX2 in its place.
     Avx512,
 }
 
