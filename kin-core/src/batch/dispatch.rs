@@ -73,7 +73,11 @@ impl Vectors {
                 // operating system that saves their registers. Neither can disappear while the program runs.
                 Self::Avx2 => return unsafe { avx2(kernel) },
                 // SAFETY: a machine with AVX-512 has AVX2 and FMA: `are_there` tests for them as well.
-                Self::Avx512 if const { matches!(K::AVX512, Avx512::Not) } => return unsafe { avx2(kernel) },
+                Self::Avx512 if const { matches!(K::AVX512, Some(Avx512::Not)) } => return unsafe { avx2(kernel) },
+                // SAFETY: as above.
+                Self::Avx512 if const { K::AVX512.is_none() } && kernel.avx512() == Avx512::Not => {
+                    return unsafe { avx2(kernel) };
+                }
                 // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five features for which `avx512` is
                 // compiled, and for which `are_there` has just tested this machine.
                 Self::Avx512 => return unsafe { avx512(kernel) },
@@ -85,7 +89,7 @@ impl Vectors {
     }
 }
 
-/// The ways to use AVX-512. Only the one that a kernel chooses is compiled for it.
+/// The ways to use AVX-512.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Avx512 {
     /// Two vectors of double precision for each number, so that fewer steps wait for each other.
@@ -94,8 +98,21 @@ pub enum Avx512 {
     /// takes them. It waits then: on Zen 4, whose queue holds 32 stores of 512 bits, up to twice as long, where the
     /// columns do not fit into the caches.
     EightLanes,
-    /// AVX2 in its place.
+    /// AVX2 in its place. Newton's method is slower in AVX-512: it waits for the slowest of more poses, and stores more.
     Not,
+}
+
+impl Avx512 {
+    /// The way for a mechanism with so many assemblies, of whose pose so many numbers can be stored.
+    pub(super) const fn of(assemblies: usize, numbers: usize) -> Self {
+        if assemblies == 0 {
+            Self::Not
+        } else if numbers > 16 {
+            Self::EightLanes
+        } else {
+            Self::SixteenLanes
+        }
+    }
 }
 
 /// Code that is compiled once for each kind of vectors. Everything it calls must be inlined, or it is compiled for the
@@ -106,8 +123,14 @@ pub trait Kernel {
     /// The numbers in its lanes.
     type Element: Element;
 
-    /// The way in which it uses AVX-512.
-    const AVX512: Avx512 = Avx512::SixteenLanes;
+    /// The way in which it uses AVX-512. It is `None` if it is known only when the kernel runs.
+    const AVX512: Option<Avx512> = Some(Avx512::SixteenLanes);
+
+    /// The way in which this kernel uses AVX-512.
+    #[inline]
+    fn avx512(&self) -> Avx512 {
+        Self::AVX512.unwrap_or(Avx512::SixteenLanes)
+    }
 
     /// Runs the kernel in `W` lanes.
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
@@ -127,10 +150,13 @@ fn avx2<K: Kernel>(kernel: K) -> K::Result {
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[expect(clippy::if_same_then_else, reason = "one of the conditions is a constant")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
-    // in a constant, so that only one of the two is compiled for a kernel
-    if const { matches!(K::AVX512, Avx512::EightLanes) } {
+    // in constants, so that only one of the two is compiled for a kernel whose way is known
+    if const { matches!(K::AVX512, Some(Avx512::EightLanes)) } {
+        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, true>(kernel)
+    } else if const { K::AVX512.is_none() } && kernel.avx512() == Avx512::EightLanes {
         K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, true>(kernel)
     } else {
         K::Element::run::<K, MOST_LANES, MOST_SINGLES, true>(kernel)

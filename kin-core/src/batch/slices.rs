@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Entries, Stored, clear};
-use super::dispatch::{Kernel, Vectors};
+use super::dispatch::{Avx512, Kernel, Vectors};
 use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
@@ -485,6 +485,16 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
 impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
     type Result = Summary;
     type Element = f64;
+
+    const AVX512: Option<Avx512> = None;
+
+    /// As a compiled mechanism does, because its numbers depend on the poses that are solved together.
+    fn avx512(&self) -> Avx512 {
+        let solver = self.alone.solver;
+        let description = solver.description();
+        let results = description.unknowns.len() + description.outputs.len();
+        Avx512::of(solver.assembly_count(), results * self.alone.orders)
+    }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {

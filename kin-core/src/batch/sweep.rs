@@ -353,17 +353,10 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     type Result = Summary;
     type Element = M::Scalar;
 
-    /// Newton's method is slower in AVX-512 than in AVX2: it waits for the slowest of more poses, and stores more.
-    const AVX512: Avx512 = {
-        let numbers = <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH;
-        if M::ASSEMBLY_COUNT == 0 {
-            Avx512::Not
-        } else if numbers > 16 {
-            Avx512::EightLanes
-        } else {
-            Avx512::SixteenLanes
-        }
-    };
+    const AVX512: Option<Avx512> = Some(Avx512::of(
+        M::ASSEMBLY_COUNT,
+        <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH,
+    ));
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
