@@ -98,7 +98,8 @@ pub enum Avx512 {
     /// takes them. It waits then: on Zen 4, whose queue holds 32 stores of 512 bits, up to twice as long, where the
     /// columns do not fit into the caches.
     EightLanes,
-    /// AVX2 in its place. Newton's method is slower in AVX-512: it waits for the slowest of more poses, and stores more.
+    /// AVX2 in its place. Newton's method is slower in AVX-512: it waits for the slowest of more poses, and stores
+    /// more.
     Not,
 }
 
