@@ -7,13 +7,14 @@
 use core::hint::black_box;
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
 
 use kin_core::any::Of;
 use kin_core::batch::{AnyBatch as _, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use kin_core::prelude::*;
 use kin_core::{Operations, Row};
 use kin_tests::mechanisms::cases::ThroughSnap;
+
+use crate::race::shortest;
 
 /// How often each measurement is repeated. The shortest time counts.
 const REPETITIONS: usize = 50;
@@ -112,7 +113,7 @@ impl Units {
         }
         let rows = M::DESCRIPTION.inputs.len() + <M::Results<f64> as Row<f64>>::LENGTH;
         // an outcome takes as much as two numbers
-        let numbers = 5 * rows + 2;
+        let numbers = <M::Motion<f64> as Row<f64>>::LENGTH * rows + 2;
         arithmetic.max(as_number(numbers) * self.memory)
     }
 }
@@ -127,22 +128,12 @@ fn as_number(count: usize) -> f64 {
     count as f64
 }
 
-/// The shortest time of some work.
-fn shortest(mut work: impl FnMut()) -> f64 {
-    let times = (0..REPETITIONS).map(|_| {
-        let start = Instant::now();
-        work();
-        start.elapsed().as_secs_f64() * 1e9
-    });
-    times.fold(f64::INFINITY, f64::min)
-}
-
 /// The time of an operation on one of many numbers that do not wait for each other.
 fn throughput(operation: impl Fn(f64) -> f64) -> f64 {
     const NUMBERS: usize = 256;
     const STEPS: usize = 2_000;
     let mut numbers = [1.0; NUMBERS];
-    let time = shortest(|| {
+    let time = shortest(REPETITIONS, || {
         for _ in 0..STEPS {
             // eight steps for each number that is read and written
             for number in &mut numbers {
@@ -158,7 +149,7 @@ fn throughput(operation: impl Fn(f64) -> f64) -> f64 {
 /// The time of a number that is read or written where columns are copied.
 fn memory() -> f64 {
     let (from, mut to) = (vec![1.0; COPIED], vec![0.0; COPIED]);
-    let time = shortest(|| to.copy_from_slice(black_box(&from)));
+    let time = shortest(REPETITIONS, || to.copy_from_slice(black_box(&from)));
     black_box(&mut to);
     time / as_number(2 * COPIED)
 }
@@ -214,7 +205,7 @@ fn time_of<M: Mechanism<Scalar = f64> + 'static>(mechanism: M) -> (f64, Operatio
         (Slot::Unknown(0, 1), velocity.as_mut_slice()),
     ]);
     let choice = ColumnChoice::Assembly(0);
-    let time = shortest(|| {
+    let time = shortest(REPETITIONS, || {
         for _ in 0..100 {
             let given = GivenColumns {
                 parameters: black_box(&parameters),

@@ -8,7 +8,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Instant;
 
 /// How often a contender solves all rows in a turn. The shortest pass counts, as the first ones find cold caches.
-pub(crate) const PASSES: usize = 10;
+const PASSES: usize = 10;
 
 /// The turn of a contender: the nanoseconds for all rows.
 type Turn<'a> = Box<dyn FnMut() -> f64 + 'a>;
@@ -32,27 +32,14 @@ impl<'a> Race<'a> {
 
     /// Enters a function of this program that solves all rows.
     pub(crate) fn enter(&mut self, name: &str, mut solve_all: impl FnMut() + 'a) {
-        let turn = move || {
-            let mut shortest = f64::INFINITY;
-            for _ in 0..PASSES {
-                let start = Instant::now();
-                solve_all();
-                shortest = shortest.min(start.elapsed().as_secs_f64());
-            }
-            shortest * 1e9
-        };
-        self.contenders.push((name.to_owned(), Box::new(turn)));
+        self.contenders
+            .push((name.to_owned(), Box::new(move || turn(&mut solve_all))));
     }
 
     /// Enters a function of this program that solves one row.
     pub(crate) fn enter_each<I: Copy + 'a, R>(&mut self, name: &str, rows: Vec<I>, solve: impl Fn(I) -> R + 'a) {
         assert_eq!(rows.len(), self.rows);
-        self.enter(name, move || {
-            for row in black_box(rows.as_slice()) {
-                // by reference: moved into the black box the result would be copied once more
-                black_box(&solve(*row));
-            }
-        });
+        self.enter(name, move || solve_each(&rows, &solve));
     }
 
     /// Enters another program, and returns the numbers that it has found. It writes them to the file that its last
@@ -90,6 +77,29 @@ impl<'a> Race<'a> {
         let rows = self.rows as f64;
         let names = self.contenders.into_iter().map(|(name, _)| name);
         names.zip(shortest).map(|(name, time)| (name, time / rows)).collect()
+    }
+}
+
+/// The nanoseconds of a turn: the shortest of its passes.
+pub(crate) fn turn(solve_all: impl FnMut()) -> f64 {
+    shortest(PASSES, solve_all)
+}
+
+/// The nanoseconds of the shortest of several passes.
+pub(crate) fn shortest(passes: usize, mut pass: impl FnMut()) -> f64 {
+    let times = (0..passes).map(|_| {
+        let start = Instant::now();
+        pass();
+        start.elapsed().as_secs_f64() * 1e9
+    });
+    times.fold(f64::INFINITY, f64::min)
+}
+
+/// Solves one row after the other.
+pub(crate) fn solve_each<I: Copy, R>(rows: &[I], solve: impl Fn(I) -> R) {
+    for row in black_box(rows) {
+        // by reference: moved into the black box the result would be copied once more
+        black_box(&solve(*row));
     }
 }
 

@@ -3,12 +3,11 @@
 use core::hint::black_box;
 use std::fs;
 use std::io::BufRead as _;
-use std::time::Instant;
 
 use kin_tests::mechanisms::cases::ThroughSnap;
 
 use crate::linkages::{Course, Visitor};
-use crate::race::PASSES;
+use crate::race::{solve_each, turn};
 
 /// Solves the poses of a course, writes what it finds to a file, and solves them again for each line of its input.
 pub(crate) struct Turns {
@@ -27,16 +26,10 @@ impl Visitor for Turns {
         fs::write(&self.file, bytes).expect("cargo's folder can be written");
         println!("ready");
         for _ in std::io::stdin().lock().lines() {
-            let mut shortest = f64::INFINITY;
-            for _ in 0..PASSES {
-                let start = Instant::now();
-                for own in black_box(wanted.as_slice()) {
-                    // by reference: moved into the black box the result would be copied once more
-                    black_box(&own.solve(black_box(mechanism)));
-                }
-                shortest = shortest.min(start.elapsed().as_secs_f64());
-            }
-            println!("{}", shortest * 1e9);
+            println!(
+                "{}",
+                turn(|| solve_each(&wanted, |own| own.solve(black_box(mechanism))))
+            );
         }
     }
 }
