@@ -6,7 +6,7 @@
 /**
  * @param {HTMLElement} parent
  * @param {{markup: string, style: string, script: string}} view
- * @param {(design: {name: string, dimension: string, value: number}[]) => void} moved what happens after a slider moved
+ * @param {(design: {name: string, value: number}[]) => void} moved what happens after a slider moved
  */
 export function createFrames(parent, view, moved) {
   let front = null;

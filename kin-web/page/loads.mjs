@@ -20,18 +20,47 @@ export function loadsOf(text, outline) {
   return section ? textIn(text, section.range) : null;
 }
 
+/** A load on the first quantity that can have one: a point, an angle or a length. */
+function firstLoad({ outputs, unknowns }) {
+  const first = (quantities, dimension) => quantities.find((quantity) => quantity.dimension === dimension)?.name;
+  const kinds = [
+    ["force", first(outputs, "Point"), "(0, -100N)"],
+    ["force", first(outputs, "Point3"), "(0, 0, -100N)"],
+    ["torque", first(unknowns, "Angle"), "1Nm"],
+    ["force", first(unknowns, "Length"), "100N"],
+  ];
+  const [kind, name, size] = kinds.find(([, name]) => name) ?? [];
+  return kind ? `${kind} ${name} = ${size};` : null;
+}
+
+/** The text with a unit at its first length, if no length has one: without a unit, loads have no meaning. */
+function withUnit(text, { length_unit, numbers, dimensions, inputs }) {
+  const lengths = [...dimensions, ...inputs].filter(({ dimension }) => /^(Length|Point|Vector)/.test(dimension));
+  const isLength = ({ name }) => lengths.some((length) => length.name === name.split(".")[0]);
+  const first = numbers.find(isLength);
+  if (length_unit !== "" || !first) {
+    return text;
+  }
+  const before = textIn(text, { start: { line: 0, character: 0 }, end: first.range.end });
+  return `${before}mm${text.slice(before.length)}`;
+}
+
 /**
- * A section of loads to begin with: a force on the first point of the plane, and the masses of bodies as remarks. Null
- * if there is no such point.
- * @param {string[]} bodies the names of the bodies that move
+ * A text with loads to begin with: a force or torque, and gravity and the masses of bodies as remarks. Null if nothing
+ * can be loaded.
+ * @param {object} outline what kin says of the text, which has no loads
  */
-export function loadsToBegin({ outputs }, bodies) {
-  const point = outputs.find(({ dimension }) => dimension === "Point");
-  if (!point) {
+export function withFirstLoads(text, outline) {
+  const load = firstLoad(outline);
+  if (load === null) {
     return null;
   }
-  const masses = bodies.map((body) => `    // mass of ${body} = 1kg at (0, 0), inertia 0.001kgm2;`);
-  return ["loads {", `    force ${point.name} = (0, -100N);`, "    // gravity = (0, -9.81m/s2);", ...masses, "}"].join(
-    "\n",
-  );
+  const { bodies, space } = outline;
+  const gravity = space ? "gravity = (0, 0, -9.81m/s2);" : "gravity = (0, -9.81m/s2);";
+  const inertia = space
+    ? "1kg at (0, 0, 0), inertia (0.001kgm2, 0.001kgm2, 0.001kgm2)"
+    : "1kg at (0, 0), inertia 0.001kgm2";
+  const remarks = [gravity, ...bodies.map((body) => `mass of ${body} = ${inertia};`)];
+  const lines = [load, ...remarks.map((remark) => `// ${remark}`)].map((line) => `    ${line}`);
+  return withSection(withUnit(text, outline), ["loads {", ...lines, "}"].join("\n"));
 }

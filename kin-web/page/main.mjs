@@ -4,12 +4,15 @@ import { handOver } from "../../kin-studio/src/page/saving.mjs";
 import { addressOf, readAddress } from "./address.mjs";
 import { createAsking } from "./asking.mjs";
 import { createBoard, isGrown } from "./board.mjs";
-import { loadsOf, loadsToBegin, withSection } from "./loads.mjs";
+import { loadsOf, withFirstLoads, withSection } from "./loads.mjs";
 import { createMovingText } from "./moving-text.mjs";
 import { examples, kinModule, startWorker } from "./parts.mjs";
 
 /** The times in milliseconds that answers may take. */
 const LIMITS = { short: 4000, report: 60_000 };
+/** The time in milliseconds without a change after which peaks are looked for: while a person types, they would only
+ * hold up the motion. */
+const REST = 300;
 
 const module = kinModule();
 /** Each kind of question has a worker: peaks, which take time, hold nothing up, and no question ends another. */
@@ -19,8 +22,8 @@ const byButton = createAsking(startWorker, module);
 const board = createBoard(createAsking(startWorker, module), drawn);
 /** The name of the mechanism that moves, in small letters, for files. */
 let fileName = "mechanism";
-/** The loads of the last text without mistakes, and those with which it may begin; null without them. */
-let loads = { of: "", own: null, first: null };
+/** The last text without mistakes, its loads, and the text with loads to begin with; null without them. */
+let loads = { of: "", own: null, begun: null };
 
 const places = { editor: part("editor"), mistakes: part("mistakes"), moving: part("moving") };
 const moving = createMovingText(places, quick, { typed, understood, moved, say });
@@ -37,10 +40,9 @@ function drawn(text, before) {
   moving.set(loads.own !== null && isGrown(loads.of, before) ? withSection(text, loads.own) : text);
 }
 
-async function understood(text, outline, report) {
-  const bodies = report?.outline.bodies.map(({ name }) => name) ?? [];
-  loads = { of: text, own: loadsOf(text, outline), first: loadsToBegin(outline, bodies) };
-  part("add-loads").hidden = loads.own !== null || loads.first === null;
+async function understood(text, outline) {
+  loads = { of: text, own: loadsOf(text, outline), begun: withFirstLoads(text, outline) };
+  part("add-loads").hidden = loads.own !== null || loads.begun === null;
   history.replaceState(null, "", `#${await addressOf(text, board.drawingOf(text))}`);
 }
 
@@ -48,6 +50,10 @@ async function understood(text, outline, report) {
 async function moved(report, text, isLast) {
   fileName = report.module;
   say("finding peaks …");
+  await new Promise((rested) => setTimeout(rested, REST));
+  if (!isLast()) {
+    return;
+  }
   const whole = await slow({ ask: "report", text }, LIMITS.report);
   if (whole.superseded || !isLast()) {
     return;
@@ -170,7 +176,13 @@ part("file").addEventListener("change", async () => {
 });
 part("format").addEventListener("click", format);
 part("link").addEventListener("click", copyLink);
-part("add-loads").addEventListener("click", () => moving.set(withSection(moving.text(), loads.first)));
+part("add-loads").addEventListener("click", () => {
+  if (moving.text() === loads.of) {
+    moving.set(loads.begun);
+  } else {
+    say("Loads can be added to a text without mistakes.");
+  }
+});
 for (const button of document.querySelectorAll("[data-save]")) {
   button.addEventListener("click", () => {
     button.closest("details").open = false;

@@ -16,8 +16,7 @@ const TYPED = "kin: typed";
  * @param {(question: object, limit: number) => Promise<any>} ask
  * @param {object} on what happens then
  * @param {(text: string) => void} on.typed after each change of the text
- * @param {(text: string, outline: object, report: object | undefined) => void} on.understood after a text without
- *   mistakes was compiled; there is no report if it cannot move
+ * @param {(text: string, outline: object) => void} on.understood after a text without mistakes was compiled
  * @param {(report: object, text: string, isLast: () => boolean) => void} on.moved after its motion was shown
  * @param {(words: string) => void} on.say the state of the text in words
  */
@@ -29,7 +28,7 @@ export function createMovingText(places, ask, on) {
   let timer = null;
 
   const editor = createEditor(places.editor, typed, () => outline);
-  const frames = createFrames(places.moving, view, (design) => editor.change(changesFor(editor.text(), design)));
+  const frames = createFrames(places.moving, view, (design) => editor.change(changesFor(editor.numbers(), design)));
   frames.prepare();
   places.editor.addEventListener("focusin", frames.prepare);
 
@@ -105,7 +104,8 @@ export function createMovingText(places, ask, on) {
       return;
     }
     outline = check.outline;
-    on.understood(text, outline, report);
+    editor.setNumbers(outline.numbers);
+    on.understood(text, outline);
     if (refused) {
       refuse(refused);
       return;

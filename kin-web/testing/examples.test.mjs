@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { ask as askOf } from "../page/ask.mjs";
+import { withFirstLoads } from "../page/loads.mjs";
 
 const bytes = readFileSync(new URL("../site/kin.wasm", import.meta.url));
 const { exports: kin } = new WebAssembly.Instance(new WebAssembly.Module(bytes), {});
@@ -25,6 +26,19 @@ test("every mechanism of the list has no mistakes, and moves", () => {
     assert.ok(report.solver !== null || report.frames.length > 0, name);
     const { text: formatted } = ask({ ask: "format", text });
     assert.equal(formatted, text, name);
+  }
+});
+
+test("loads to begin with have no mistakes, also with their remarks", () => {
+  for (const { name, text } of ask({ ask: "examples" }).examples) {
+    const begun = withFirstLoads(text, ask({ ask: "motion", text }).motion.check.outline);
+    const whole = begun.replace(/loads \{.*/s, (loads) => loads.replaceAll("// ", ""));
+    for (const text of [begun, whole]) {
+      const { check, refused } = ask({ ask: "motion", text }).motion;
+      const errors = check.mistakes.filter(({ severity }) => severity === "error");
+      assert.deepEqual(errors, [], text);
+      assert.equal(refused, null, name);
+    }
   }
 });
 

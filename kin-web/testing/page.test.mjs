@@ -94,6 +94,9 @@ test("a unit is completed behind a number, and a name elsewhere", async () => {
   assert.deepEqual(faults, []);
 });
 
+/** How often the motion of a text was shown. */
+const countShown = () => performance.getEntriesByName("kin: shown").length;
+
 /** Far above what a machine without other work takes, and far below what a person waits for, in milliseconds. */
 const SLOWEST = 3000;
 
@@ -105,8 +108,7 @@ test("a letter changes the motion within a moment, also where a processor is slo
     await session.send("Emulation.setCPUThrottlingRate", { rate: slowdown });
     await page.locator(".cm-content").click();
     await page.locator("#moving iframe.behind").waitFor({ state: "attached" });
-    const count = () => performance.getEntriesByName("kin: shown").length;
-    const before = await page.evaluate(count);
+    const before = await page.evaluate(countShown);
     await page.keyboard.press("Control+End");
     // the last letter counts, also where the one before it is still asked about
     await page.keyboard.type("// a");
@@ -148,6 +150,36 @@ test("a slider writes its number into the text", async () => {
   await field.press("Tab");
   await page.waitForFunction(() => document.querySelector(".cm-content").innerText.includes("rod = 95mm"));
   assert.match(await page.locator(".cm-content").innerText(), /r = 30mm/);
+});
+
+test("a number of the text keeps its unit, also as a coordinate, and is left alone if another one changes", async () => {
+  const { page, faults } = await opened();
+  await typeText(
+    page,
+    CRANK.replace("rod: Length", "rod: Length, tilt: Angle, pin: Vector")
+      .replace("r * cis(theta)", "pin + r * cis(theta + tilt)")
+      .replace("rod = 80mm", "rod = 8.0cm; tilt = 0.01turn; pin = (1, 0.123456789mm)"),
+  );
+  await shows(page, "Crank");
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  await frame.locator("#open-dimensions").click();
+  for (const [label, typed, written] of [
+    ["rod", "95", "rod = 9.5cm; tilt = 0.01turn; pin = (1, 0.123456789mm)"],
+    ["tilt", "9", "rod = 9.5cm; tilt = 0.025turn; pin = (1, 0.123456789mm)"],
+    ["pin.x", "3", "rod = 9.5cm; tilt = 0.025turn; pin = (3, 0.123456789mm)"],
+  ]) {
+    const field = page.locator("#moving iframe:not(.behind)").contentFrame().getByLabel(`${label}, as a number`);
+    // the motion and the peaks of a text each come in a frame of their own
+    await page.waitForFunction(() => document.getElementById("state").textContent === "");
+    const before = await page.evaluate(countShown);
+    await field.fill(typed);
+    await field.press("Tab");
+    const isShown = ([written, before]) =>
+      document.querySelector(".cm-content").innerText.includes(written) &&
+      performance.getEntriesByName("kin: shown").length > before;
+    await page.waitForFunction(isShown, [written, before]);
+  }
+  assert.deepEqual(faults, []);
 });
 
 test("solvers and pages are saved", async () => {

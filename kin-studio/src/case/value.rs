@@ -113,6 +113,18 @@ fn with_unit(dimension: Dimension, number: f64, unit: &str, lengths: &mut Length
     }
 }
 
+/// The unit of a number that was typed, and its size, where angles are in radians and lengths in the unit of the run.
+/// An angle of zero, which needs none, has the first.
+pub(crate) fn unit_of(dimension: Dimension, text: &str, lengths: Lengths) -> (&'static str, f64) {
+    let typed = split(text).map_or("", |(_, unit)| unit);
+    let (unit, common) = match dimension {
+        Dimension::Angle => (units::ANGLE.unit(typed).or(units::ANGLE.units.first().copied()), 1.0),
+        Dimension::Length => (units::LENGTH.unit(typed), lengths.metres()),
+        Dimension::Scalar => (None, 1.0),
+    };
+    unit.map_or(("", 1.0), |unit| (unit.name, unit.size / common))
+}
+
 fn angle(number: f64, unit: &str) -> Result<f64, String> {
     match units::ANGLE.unit(unit) {
         Some(unit) => Ok(number * unit.size),

@@ -18,7 +18,7 @@ pub(crate) use declaration::tokens;
 pub(crate) use declaration::{KinDeclaration, in_order};
 pub(crate) use mistake::Mistake;
 #[cfg(feature = "case")]
-pub(crate) use sections::{Entry, Part, Section, is_ident, is_punct, parts, range_of};
+pub(crate) use sections::{Entry, Part, Sections, is_ident, is_punct, parts, range_of};
 
 /// The declaration in a `.kin` file, in the form that [`kin_live::Mechanism::declare`] takes. The numbers of the file
 /// are not read.

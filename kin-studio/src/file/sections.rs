@@ -209,6 +209,27 @@ impl Sections {
         section.map(|section| section.word.clone())
     }
 
+    /// The entries of a section.
+    fn entries(&self, name: &str) -> &[Entry] {
+        match name {
+            "dimensions" => &self.dimensions,
+            "motion" => &self.motion,
+            "loads" => &self.loads,
+            _ => &[],
+        }
+    }
+
+    /// The bytes of a name to which a section gives a value, or else those of the section, or none.
+    pub(crate) fn named(&self, section: &str, name: &str) -> Range<usize> {
+        let names = self.entries(section).iter().filter_map(|entry| entry.words.last());
+        let named = names.filter(|word| word.text == name).map(|word| &word.range).next();
+        let whole = || {
+            let section = self.spans.iter().find(|one| one.name == section);
+            section.map(|section| &section.whole)
+        };
+        named.or_else(whole).cloned().unwrap_or_default()
+    }
+
     /// Reads a section of one statement, and returns the index of its `;`.
     fn statement(
         &mut self,

@@ -75,7 +75,7 @@ const HODOGRAPHS = 0.52;
  * @param {object | null} kept the view of an earlier page, as `keep` of the returned object gives it, or with the
  *   design that a saved page has
  * @param {HTMLElement | null} written the page before this script changed it, if it can be saved
- * @returns {{keep: () => object, design: () => {name: string, dimension: string, value: number}[]} | null} the view of
+ * @returns {{keep: () => object, design: () => {name: string, value: number}[]} | null} the view of
  *   the page, and the dimensions and standing inputs that it shows by their declared names
  */
 export function start(report, solver, kept = null, written = null) {
@@ -1231,7 +1231,6 @@ export function start(report, solver, kept = null, written = null) {
 
   const shown = (group) => (entry) => ({
     name: entry.declared,
-    dimension: entry.dimension,
     value: state.design[group][entry.name],
   });
   return {

@@ -3,14 +3,16 @@
 use std::ops::Range;
 
 use kin_compiler::Quantity;
-use kin_core::any::Described as _;
+use kin_core::any::{Described as _, Pictured as _};
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::{Value, json};
 
 use super::super::subject::Subject;
+use super::super::value::unit_of;
+use super::numbers::Number;
 use super::read::KinFile;
-use super::{Checked, Settings, asked, section, slip};
-use crate::file::{Mistake, is_ident, is_punct, range_of};
+use super::{Checked, Settings, asked, slip};
+use crate::file::{Mistake, Sections, is_ident, is_punct, range_of};
 
 /// The version of the form, which grows when a member changes or goes.
 const VERSION: u32 = 1;
@@ -21,10 +23,9 @@ pub(super) fn checked(file: &str, text: &str, read: Result<KinFile, Vec<Mistake>
         Err(mistakes) => (Vec::new(), mistakes, Value::Null, None),
         Ok(file) => {
             let outline = outline(text, &file);
-            let [dimensions, loads] = ["dimensions", "loads"].map(|name| section(&file, name));
-            let (subject, settings) = asked(file);
-            let remarks = remarks(text, &dimensions, &subject, &settings);
-            let slip = slip(text, &loads, &subject, &settings);
+            let (subject, settings, sections) = asked(file);
+            let remarks = remarks(text, &sections, &subject, &settings);
+            let slip = slip(&sections, &subject, &settings);
             (remarks, slip.into_iter().collect(), outline, Some((subject, settings)))
         }
     };
@@ -71,20 +72,12 @@ fn range_in_lines(text: &str, range: &Range<usize>) -> Value {
     json!({ "start": position(range.start), "end": position(range.end.max(range.start)) })
 }
 
-/// What is remarkable about the dimensions, at their ranges in their section.
-fn remarks(text: &str, section: &Range<usize>, subject: &Subject, settings: &Settings) -> Vec<Value> {
+/// What is remarkable about the dimensions, at their names.
+fn remarks(text: &str, sections: &Sections, subject: &Subject, settings: &Settings) -> Vec<Value> {
     let remarks = settings.typed().remarks(subject).into_iter();
     remarks
-        .map(|(name, remark)| one(text, "warning", &remark, &named_in(text, section, &name)))
+        .map(|(name, remark)| one(text, "warning", &remark, &sections.named("dimensions", &name)))
         .collect()
-}
-
-/// Where a section gives a name its value, or all of the section.
-pub(super) fn named_in(text: &str, section: &Range<usize>, name: &str) -> Range<usize> {
-    let inside = text[section.clone()].parse::<TokenStream>().unwrap_or_default();
-    find(inside, name, '=').map_or(section.clone(), |range| {
-        section.start + range.start..section.start + range.end
-    })
 }
 
 fn outline(text: &str, file: &KinFile) -> Value {
@@ -109,10 +102,19 @@ fn outline(text: &str, file: &KinFile) -> Value {
     let blocks: Vec<Value> = blocks
         .map(|block| json!({ "unknowns": block.unknowns, "solution": block.solution.to_string() }))
         .collect();
-    let sections = file.sections.iter();
+    let sections = file.sections.spans.iter();
     let sections: Vec<Value> = sections
         .map(|section| json!({ "name": section.name, "range": range_in_lines(text, &section.whole) }))
         .collect();
+    let number = |Number { name, dimension, value }: &Number| {
+        let (unit, size) = unit_of(*dimension, &value.text, file.lengths);
+        json!({ "name": name, "range": range_in_lines(text, &value.range), "unit": unit, "size": size })
+    };
+    let numbers: Vec<Value> = file.set.iter().map(number).collect();
+    let outline = file.mechanism.outline();
+    let declares_bodies = outline.guess.is_none();
+    let bodies = outline.bodies.iter().filter(|_| declares_bodies);
+    let bodies: Vec<&str> = bodies.map(|body| body.name).collect();
     json!({
         "name": compiled.name(),
         "documentation": compiled.documentation(),
@@ -122,7 +124,11 @@ fn outline(text: &str, file: &KinFile) -> Value {
         "outputs": quantities(compiled.outputs()),
         "blocks": blocks,
         "assemblies": file.mechanism.assembly_names(),
+        "space": file.mechanism.is_space(),
+        "bodies": bodies,
         "sections": sections,
+        "length_unit": file.lengths.name(),
+        "numbers": numbers,
     })
 }
 

@@ -7,7 +7,6 @@ mod loads;
 mod numbers;
 mod read;
 
-use std::ops::Range;
 use std::path::Path;
 
 use super::fault::Fault;
@@ -15,7 +14,8 @@ use super::loads::Loads;
 use super::subject::Subject;
 use super::typed::Typed;
 use crate::file::format;
-use crate::file::{Mistake, shown, text_of, tokens};
+use crate::file::{Mistake, Part, Sections, shown, text_of, tokens};
+use numbers::Number;
 use read::KinFile;
 
 /// What a file says besides the declaration.
@@ -66,23 +66,25 @@ pub(crate) fn formatted(text: &str, name: &str) -> Result<String, String> {
     is_same.then_some(formatted).ok_or_else(changed)
 }
 
-/// The mechanism of a file that was read, and what the file says of it.
-fn asked(file: KinFile) -> (Subject, Settings) {
+/// The mechanism of a file that was read, what the file says of it, and where.
+fn asked(file: KinFile) -> (Subject, Settings, Sections) {
+    let text = |part: &Part| part.text.clone();
     let settings = Settings {
-        set: file.set,
+        set: file.set.iter().map(Number::setting).collect(),
         over: file.over,
-        assembly: file.assembly,
-        columns: file.columns,
+        assembly: file.sections.assembly.as_ref().map(text),
+        columns: file.sections.columns.iter().map(text).collect(),
         loads: file.loads,
         documentation: file.mechanism.declaration().documentation().to_owned(),
         declaration: file.declaration,
     };
-    (Subject::new(file.mechanism), settings)
+    (Subject::new(file.mechanism), settings, file.sections)
 }
 
 /// The mechanism of a text, and what the text says of it. The name of the file stands in its mistakes.
 pub(crate) fn of_text(text: &str, name: &str) -> Result<(Subject, Settings), String> {
-    compiled(text, name).map(asked)
+    let (subject, settings, _) = asked(compiled(text, name)?);
+    Ok((subject, settings))
 }
 
 /// The mechanism of a file, and what the file says of it.
@@ -99,25 +101,18 @@ pub(crate) fn check(path: &Path, steps: bool) -> Result<String, Fault> {
     let said = format!("{}: {} has no mistakes\n", path.display(), declaration.name());
     let steps = if steps { declaration.printout() } else { "" };
     let said = said + steps;
-    let loads = section(&file, "loads");
-    let (subject, settings) = asked(file);
-    match slip(&text, &loads, &subject, &settings) {
+    let (subject, settings, sections) = asked(file);
+    match slip(&sections, &subject, &settings) {
         Some(mistake) => Err(Fault::wrong(shown(&[mistake], &path.display().to_string(), &text))),
         None => Ok(said),
     }
 }
 
-/// Where a section stands; nowhere if there is none.
-fn section(file: &KinFile, name: &str) -> Range<usize> {
-    let section = file.sections.iter().find(|section| section.name == name);
-    section.map_or(0..0, |section| section.whole.clone())
-}
-
 /// A contact whose bodies slip on each other, at its name in the section of loads. A file without all numbers of the
 /// motion is not looked at.
-fn slip(text: &str, loads: &Range<usize>, subject: &Subject, settings: &Settings) -> Option<Mistake> {
+fn slip(sections: &Sections, subject: &Subject, settings: &Settings) -> Option<Mistake> {
     let (name, error) = subject.slip(&settings.typed().case(subject).ok()?)?;
-    Some(Mistake::new(error.to_string(), json::named_in(text, loads, &name)))
+    Some(Mistake::new(error.to_string(), sections.named("loads", &name)))
 }
 
 /// What a check finds.

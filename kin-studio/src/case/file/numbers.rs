@@ -37,6 +37,21 @@ impl From<&Quantity> for Declared {
     }
 }
 
+/// The number of a dimension, of its coordinate, or of an input that stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Number {
+    pub(crate) name: String,
+    pub(crate) dimension: Dimension,
+    pub(crate) value: Part,
+}
+
+impl Number {
+    /// As it is typed behind `--set`.
+    pub(crate) fn setting(&self) -> String {
+        format!("{}={}", self.name, self.value.text)
+    }
+}
+
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
 
 /// The names of the scalars of a quantity.
@@ -48,14 +63,14 @@ fn scalars(quantity: &Declared) -> Vec<String> {
     parts.map(|part| format!("{}.{part}", quantity.name)).collect()
 }
 
-/// The dimensions as they are typed behind `--set`, and what is wrong in them.
+/// The numbers of dimensions, and what is wrong in them.
 pub(super) fn dimensions(
     fields: &[Quantity],
     entries: &[Entry],
     section: Option<Range<usize>>,
     text: &str,
     lengths: &mut Lengths,
-) -> (Vec<String>, Vec<Mistake>) {
+) -> (Vec<Number>, Vec<Mistake>) {
     let fields: Vec<Declared> = fields.iter().map(Declared::from).collect();
     let (mut set, mut mistakes) = (Vec::new(), Vec::new());
     let mut given: Vec<String> = Vec::new();
@@ -91,8 +106,12 @@ pub(super) fn dimensions(
             if let Err(message) = value::quantity(field.dimension, &value.text, lengths) {
                 mistakes.push(value.mistake(message));
             }
-            set.push(format!("{name}={}", value.text));
-            given.push(name);
+            given.push(name.clone());
+            set.push(Number {
+                name,
+                dimension: field.dimension,
+                value,
+            });
         }
     }
     let all = fields.iter().flat_map(scalars);
@@ -135,7 +154,7 @@ pub(super) fn motions(
     inputs: &[Quantity],
     entries: &[Entry],
     lengths: &mut Lengths,
-    set: &mut Vec<String>,
+    set: &mut Vec<Number>,
 ) -> (Vec<String>, Vec<Mistake>) {
     let (mut over, mut mistakes) = (Vec::new(), Vec::new());
     let mut given: Vec<&str> = Vec::new();
@@ -154,10 +173,14 @@ pub(super) fn motions(
         }
         given.push(name);
         let value = &entry.value;
-        let text = format!("{name}={}", value.text);
-        match InputMotion::read_parts(Declared::from(input).dimension, &value.text, lengths) {
-            Ok(motion) if motion.moves() => over.push(text),
-            Ok(_) => set.push(text),
+        let Declared { name, dimension, .. } = Declared::from(input);
+        match InputMotion::read_parts(dimension, &value.text, lengths) {
+            Ok(motion) if motion.moves() => over.push(format!("{name}={}", value.text)),
+            Ok(_) => set.push(Number {
+                name,
+                dimension,
+                value: value.clone(),
+            }),
             Err((message, part)) => {
                 let start = value.range.start;
                 mistakes.push(Mistake::new(message, start + part.start..start + part.end));

@@ -8,8 +8,9 @@ use super::super::columns;
 use super::super::loads::{ForceColumns, Loads, unit_linkage};
 use super::super::value::Lengths;
 use super::joints::{is_friction, is_of_joint};
+use super::numbers::Number;
 use super::{assemblies, loads, numbers};
-use crate::file::{Entry, KinDeclaration, Mistake, Section, in_order};
+use crate::file::{Entry, KinDeclaration, Mistake, Sections, in_order};
 
 /// A file that was read.
 #[derive(Debug)]
@@ -18,18 +19,16 @@ pub(crate) struct KinFile {
     pub(crate) mechanism: Mechanism,
     /// The declaration as it was typed.
     pub(crate) declaration: String,
-    /// Dimensions and inputs that stand: `r1=90`.
-    pub(crate) set: Vec<String>,
+    /// Dimensions and inputs that stand.
+    pub(crate) set: Vec<Number>,
+    /// The unit of its lengths.
+    pub(crate) lengths: Lengths,
     /// Motions of inputs: `theta2=0deg..360deg at 60rpm`.
     pub(crate) over: Vec<String>,
-    /// The assembly, or several.
-    pub(crate) assembly: Option<String>,
-    /// The columns to print.
-    pub(crate) columns: Vec<String>,
     /// The loads.
     pub(crate) loads: Loads,
-    /// Where the sections stand.
-    pub(crate) sections: Vec<Section>,
+    /// The sections, as they were typed.
+    pub(crate) sections: Sections,
 }
 
 impl KinFile {
@@ -111,11 +110,10 @@ impl KinFile {
             mechanism,
             declaration,
             set,
+            lengths,
             over,
-            assembly: sections.assembly.map(|assembly| assembly.text),
-            columns: sections.columns.into_iter().map(|column| column.text).collect(),
             loads,
-            sections: sections.spans,
+            sections,
         })
     }
 }
@@ -140,12 +138,13 @@ assembly = open;
         let file = KinFile::read(FILE).unwrap();
         let declared = file.mechanism.declaration();
         assert_eq!((declared.name(), declared.documentation()), ("Pump", "A pump."));
-        assert_eq!(
-            file.set,
-            ["crank=30mm", "rod=80mm", "tilt=5deg", "pin.x=1", "pin.y=2cm"]
-        );
+        let set: Vec<String> = file.set.iter().map(Number::setting).collect();
+        assert_eq!(set, ["crank=30mm", "rod=80mm", "tilt=5deg", "pin.x=1", "pin.y=2cm"]);
         assert_eq!(file.over, ["s=60mm..100mm at 20mm/s"]);
-        assert_eq!(file.assembly.as_deref(), Some("open"));
+        assert_eq!(
+            file.sections.assembly.map(|assembly| assembly.text).as_deref(),
+            Some("open")
+        );
         assert!(!file.declaration.contains("dimensions") && !file.declaration.contains("kin 1"));
         assert!(file.declaration.ends_with("vec2(s, 0);"));
     }
