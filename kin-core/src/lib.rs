@@ -259,7 +259,7 @@ pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 /// - `for` repeats statements with other names. A `frame` is the origin and the rotation, in the plane the angle, of a
 ///   rigid body, whose points are placed by `frame * point`.
 /// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
-///   as the unknowns.
+///   as the unknowns. Formulas behind it may use it as they use a `let`.
 ///
 /// Expressions are Rust expressions of the declared names, numbers and `PI`, with `+`, `-`, `*`, `/`, with `sin`,
 /// `cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`,

@@ -152,7 +152,7 @@ test("a slider writes its number into the text", async () => {
   assert.match(await page.locator(".cm-content").innerText(), /r = 30mm/);
 });
 
-test("a number of the text keeps its unit, also as a coordinate, and is left alone if another one changes", async () => {
+test("a number of the text keeps its unit, also as a coordinate, and stays if another one changes", async () => {
   const { page, faults } = await opened();
   await typeText(
     page,

@@ -53,10 +53,8 @@ impl Written {
 
 impl<'a> SheetText<'a> {
     pub(super) fn new(declaration: &'a Declaration, model: &'a Model, runtime: &'a TokenStream) -> Self {
-        let abbreviations = declaration.statements.iter().filter_map(|statement| match statement {
-            Statement::Let(statement) => Some(&statement.name),
-            _ => None,
-        });
+        let abbreviations = declaration.statements.iter().filter_map(Statement::abbreviation);
+        let abbreviations = abbreviations.map(|(name, _)| name);
         let fields = model.parameters.iter().flat_map(|parameter| {
             let scalars = parameter.dimension.shape().axes().len().max(1);
             std::iter::repeat_n(&parameter.name, scalars)

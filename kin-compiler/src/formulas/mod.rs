@@ -117,26 +117,13 @@ fn closure(declaration: &Declaration, names: &NotationNames) -> Vec<DisplayLine>
     lines
 }
 
-/// The outputs, after the abbreviations that only they use.
+/// The outputs, with the abbreviations that they use.
 fn outputs(declaration: &Declaration, names: &NotationNames) -> Vec<DisplayLine> {
-    let outputs = || {
-        declaration.statements.iter().filter_map(|statement| match statement {
-            Statement::Output(output) => Some(output),
-            _ => None,
-        })
-    };
-    let mut used = BTreeSet::new();
-    for output in outputs() {
-        output.value.visit_names(&mut |name| {
-            used.insert(name.to_string());
-        });
-    }
-    let mut lines = abbreviations(declaration, names, used);
-    lines.extend(
-        outputs()
-            .map(|output| DisplayLine::equation(named(names, &output.name.to_string()), term(names, &output.value))),
-    );
-    lines
+    let outputs = declaration.statements.iter().filter_map(|statement| match statement {
+        Statement::Output(output) => Some(output.name.to_string()),
+        _ => None,
+    });
+    abbreviations(declaration, names, outputs.collect())
 }
 
 /// The abbreviations among some names, and those that they use themselves, in the order of the declaration.
@@ -144,15 +131,15 @@ fn abbreviations(declaration: &Declaration, names: &NotationNames, mut used: BTr
     let mut lines = Vec::new();
     // an abbreviation comes after those that it uses
     for statement in declaration.statements.iter().rev() {
-        if let Statement::Let(statement) = statement
-            && used.contains(&statement.name.to_string())
+        if let Some((name, value)) = statement.abbreviation()
+            && used.contains(&name.to_string())
         {
-            statement.value.visit_names(&mut |name| {
+            value.visit_names(&mut |name| {
                 used.insert(name.to_string());
             });
             lines.push(DisplayLine::equation(
-                named(names, &statement.name.to_string()),
-                term(names, &statement.value),
+                named(names, &name.to_string()),
+                term(names, value),
             ));
         }
     }

@@ -143,6 +143,7 @@ pub(super) fn check(declaration: &Declaration, mistakes: &mut Mistakes) {
                 if statement.dimension == Dimension::Angle {
                     search.tell_conversion(sort, statement.value.extent);
                 }
+                search.names.insert(statement.name.to_string(), sort);
             }
             Statement::Equation(equation) => {
                 let sides = [&equation.left, &equation.right].map(|side| (search.sort(side), side.extent));

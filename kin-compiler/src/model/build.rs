@@ -131,7 +131,7 @@ fn quantities(
                 scope.declare(&statement.name, NameRole::Let, Meaning::Later, mistakes);
             }
             Statement::Output(statement) => {
-                scope.declare(&statement.name, NameRole::Output, Meaning::Result, mistakes);
+                scope.declare(&statement.name, NameRole::Output, Meaning::Later, mistakes);
             }
             _ => {}
         }
@@ -175,7 +175,10 @@ fn formulas(
                 scope.mean_all(&statement.right);
                 equations.push(None);
             }
-            Statement::Output(statement) if is_spoilt => scope.mean_all(&statement.value),
+            Statement::Output(statement) if is_spoilt => {
+                scope.mean_all(&statement.value);
+                scope.define(&statement.name, Meaning::Broken);
+            }
             Statement::Let(statement) if !drawn.contains(&statement.name.to_string()) => {
                 let typed = lowering
                     .formula(&statement.value)
@@ -197,9 +200,10 @@ fn formulas(
                 let typed = lowering
                     .formula(&statement.value)
                     .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
-                if let Some(typed) = typed {
-                    outputs.extend(output(statement, &typed, graph, mistakes));
+                if let Some(typed) = &typed {
+                    outputs.extend(output(statement, typed, graph, mistakes));
                 }
+                scope.define(&statement.name, typed.map_or(Meaning::Broken, Meaning::Value));
             }
             _ => {}
         }

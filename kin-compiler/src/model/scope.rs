@@ -33,12 +33,10 @@ impl NameRole {
 /// The meaning of a name in a formula.
 pub(super) enum Meaning {
     Value(Typed),
-    /// A `let` that comes later.
+    /// A `let` or an output that comes later.
     Later,
-    /// A `let` with a mistake in its formula, which has been reported.
+    /// A `let` or an output with a mistake in its formula, which has been reported.
     Broken,
-    /// An output, which formulas cannot use.
-    Result,
 }
 
 pub(super) struct Entry {
@@ -102,11 +100,11 @@ impl<'a> Scope<'a> {
         });
     }
 
-    /// Sets the meaning of a `let`. A second `let` of the same name is ignored.
+    /// Sets the meaning of a `let` or an output. A second one of the same name is ignored.
     pub(super) fn define(&mut self, name: &Ident, meaning: Meaning) {
         if let Some(&index) = self.indices.get(&name.to_string()) {
             let entry = &mut self.entries[index];
-            if entry.role == NameRole::Let && matches!(entry.meaning, Meaning::Later) {
+            if matches!(entry.meaning, Meaning::Later) {
                 entry.meaning = meaning;
             }
         }
@@ -129,17 +127,15 @@ impl<'a> Scope<'a> {
             Meaning::Broken => {}
             Meaning::Later => {
                 let word = self.declaration.fresh.written(&word);
+                let statement = match entry.role {
+                    NameRole::Output => format!("output {word}: …"),
+                    _ => format!("let {word} = …"),
+                };
                 mistakes.error(
                     name,
-                    format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
+                    format!("`{word}` is used before it is known: move `{statement};` above this"),
                 );
             }
-            Meaning::Result => mistakes.error(
-                name,
-                format!(
-                    "`{word}` is an output and cannot be used in a formula: name its expression by a `let` and use that"
-                ),
-            ),
         }
         None
     }
@@ -163,7 +159,6 @@ impl<'a> Scope<'a> {
         let usable: Vec<String> = self
             .entries
             .iter()
-            .filter(|entry| entry.role != NameRole::Output)
             .map(|entry| entry.name.to_string())
             .chain(broken.iter().filter(|name| !is_keyword(name)).cloned())
             .chain(["PI".to_owned()])

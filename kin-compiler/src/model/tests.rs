@@ -117,7 +117,7 @@ fn what_does_not_fit_is_reported_once() {
         (quote!(a * 1e-320), "too small for an `f64`"),
         (quote!(a * 0.0e-400 + 1e-400), "too small for an `f64`"),
         (quote!(powi(powi(t, 64), 17)), "1024 is the largest"),
-        (quote!(o * 2), "is an output"),
+        (quote!(o * 2), "move `output o: …;` above this"),
         (quote!(later), "is called `later`"),
         (quote!(formula + a), "used before it is known"),
         (quote!(tau), "2 * PI"),

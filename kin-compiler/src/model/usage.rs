@@ -184,11 +184,12 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
     let mut equations = Vec::new();
     for statement in &declaration.statements {
         match statement {
-            Statement::Let(statement) => {
-                abbreviations.insert(statement.name.to_string(), names_of(&[&statement.value]));
-            }
             Statement::Equation(statement) => equations.push(names_of(&[&statement.left, &statement.right])),
-            _ => {}
+            statement => {
+                if let Some((name, value)) = statement.abbreviation() {
+                    abbreviations.insert(name.to_string(), names_of(&[value]));
+                }
+            }
         }
     }
     for names in &mut equations {

@@ -171,6 +171,9 @@ impl Frames {
                 for formula in statement.formulas() {
                     *formula = self.formula(formula)?;
                 }
+                if let Statement::Output(output) = statement {
+                    self.shapes.insert(output.name.to_string(), output.dimension.shape());
+                }
                 Ok(None)
             }
         }

@@ -53,6 +53,15 @@ impl TypedFormula {
 }
 
 impl Statement {
+    /// The name and the value that other formulas may use: those of a `let`, or of an output.
+    pub(crate) fn abbreviation(&self) -> Option<(&Ident, &TypedFormula)> {
+        match self {
+            Self::Let(statement) => Some((&statement.name, &statement.value)),
+            Self::Output(statement) => Some((&statement.name, &statement.value)),
+            _ => None,
+        }
+    }
+
     /// Its formulas, in source order. Ranges of unknowns are none of them.
     pub(super) fn formulas(&mut self) -> Vec<&mut TypedFormula> {
         match self {

@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use super::tree::{Local, Tree, TreeKind};
 use crate::model::Model;
-use crate::syntax::{Declaration, Statement};
+use crate::syntax::Declaration;
 
 /// What the names of a declaration stand for.
 pub(super) struct Names {
@@ -36,10 +36,10 @@ impl Names {
         let abbreviations = Vec::new();
         let mut names = Self { named, abbreviations };
         for statement in &declaration.statements {
-            if let Statement::Let(statement) = statement {
-                let value = names.formula(&statement.value);
+            if let Some((name, value)) = statement.abbreviation() {
+                let value = names.formula(value);
                 let local = Tree::local(value.shape, Local::Abbreviation(names.abbreviations.len()));
-                names.named.insert(statement.name.to_string(), local);
+                names.named.insert(name.to_string(), local);
                 names.abbreviations.push(value);
             }
         }

@@ -43,7 +43,8 @@ compare! {
     inverted_slider_crank_typings: InvertedDrivenByCylinder;
     multi_loop: FourBarsInSeries, FourBarsInSeriesShuffled, WattSixBar, StephensonSixBar, Whitworth,
         ToggleOnCoupler, GearedYoke, TwoDyads;
-    outputs: FourBarOutputs, OutputOutsideDomain, ClosureOutsideDomain, OutputsOfFrames;
+    outputs: FourBarOutputs, OutputOutsideDomain, ClosureOutsideDomain, OutputsOfFrames,
+        OutputsInFormulas;
     ranged: RangedCoupler, RangedRocker, RangedAngle, RangedAngleBelow, RangedSine, RangedSineObtuse,
         RangedSlider, RangedLever, RangedCircular, RangedLinear, RangedTwice, RangedIncline, RangedBetween;
     scalar_forms: LinearForm, QuadraticForm, QuadraticWhere, SquareForm, SquareWhere, SquareWhereNegative,

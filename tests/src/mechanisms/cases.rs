@@ -353,6 +353,7 @@ groups! {
     }
     + besides {
         OutputsOfFrames [90.0, 30.0, 60.0, 45.0, 25.0, 15.0, -10.0, 20.0] at [-1.9, 1.9];
+        OutputsInFormulas [30.0, 80.0, 50.0, 160.0, 70.0] at [-3.1, 3.1];
     }
 
     /// Unknowns that are found as unit vectors.

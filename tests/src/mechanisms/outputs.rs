@@ -75,3 +75,28 @@ mechanism! {
         body plate: coupler * 0, coupler * r3, tip;
     }
 }
+
+mechanism! {
+    /// A press whose second loop begins at an output of the first, with outputs of outputs and their picture.
+    #[allow(missing_docs)]
+    pub struct OutputsInFormulas {
+        pub crank: Length,
+        pub rod: Length,
+        pub arm: Length,
+        pub link: Length,
+        pub guide: Length,
+    }
+    input theta: Angle;
+    unknown phi: Angle, s: Length, psi: Angle, lift: Length;
+    output pin: Point = crank * cis(theta);
+    pin + rod * cis(phi) == vec2(s, 0);
+    output knee: Point = pin + polar(arm, phi);
+    knee + link * cis(psi) == vec2(guide, lift);
+    output bend: Angle = psi - phi;
+    output twice: Angle = 2 * bend;
+    output middle: Point = (pin + knee) / 2;
+    ground 0;
+    body crank: 0, pin;
+    body rod: pin, knee, vec2(s, 0), middle;
+    body link: knee, vec2(guide, lift);
+}

@@ -8,7 +8,7 @@ use kin_core::series::Series;
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::mechanisms::dyads::FiveBar;
-use kin_tests::mechanisms::outputs::{ClosureOutsideDomain, FourBarOutputs, OutputOutsideDomain};
+use kin_tests::mechanisms::outputs::{ClosureOutsideDomain, FourBarOutputs, OutputOutsideDomain, OutputsInFormulas};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
 use kin_tests::samples;
@@ -277,4 +277,24 @@ fn outside_of_a_domain() {
         matches!(error.failure, Failure::OutsideDomain { function: "ln", .. }),
         "{error}"
     );
+}
+
+/// An output that a formula uses has the value that is returned, with all rates.
+#[test]
+fn formulas_use_outputs() {
+    let press = OutputsInFormulas::<f64>::from_parameters([30.0, 80.0, 50.0, 160.0, 70.0]);
+    for step in -30..=30 {
+        let theta = Motion::from((0.1 * f64::from(step), 2.0, -1.0, 3.0, 0.5));
+        for assembly in OutputsInFormulas::<f64>::ASSEMBLIES {
+            let pose = press.solve(theta, assembly).expect("it closes");
+            for order in 0..=4 {
+                let [bend, twice, phi, psi] = [pose.bend, pose.twice, pose.phi, pose.psi].map(|one| one[order]);
+                assert!(bend == psi - phi && twice == 2.0 * bend, "{theta:?}, {assembly:?}");
+            }
+            let (pin, knee, middle) = (pose.pin.position(), pose.knee.position(), pose.middle.position());
+            let middles = (middle - (pin + knee) / 2.0).norm();
+            let links = (Plane::new(70.0, pose.lift.position()) - knee).norm() - 160.0;
+            assert!(middles < 1e-13 && links.abs() < 1e-12, "{middles} and {links}");
+        }
+    }
 }

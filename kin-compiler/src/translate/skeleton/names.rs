@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 
 use crate::model::{Dimension, Model, ValueShape};
-use crate::syntax::{Declaration, Statement, TypedFormula};
+use crate::syntax::{Declaration, TypedFormula};
 use crate::translate::names::Names;
 use crate::translate::tree::Tree;
 
@@ -25,11 +25,11 @@ impl<'a> SkeletonNames<'a> {
         let mut varying: BTreeSet<String> = model.inputs.iter().map(|input| input.name.to_string()).collect();
         varying.extend(model.unknowns.iter().map(|unknown| unknown.name.to_string()));
         for statement in &declaration.statements {
-            if let Statement::Let(statement) = statement {
-                if mentions(&statement.value, &varying) {
-                    varying.insert(statement.name.to_string());
+            if let Some((name, value)) = statement.abbreviation() {
+                if mentions(value, &varying) {
+                    varying.insert(name.to_string());
                 }
-                abbreviations.insert(statement.name.to_string(), &statement.value);
+                abbreviations.insert(name.to_string(), value);
             }
         }
         let lengths = model.parameters.iter().filter(|parameter| {
