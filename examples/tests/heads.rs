@@ -68,20 +68,20 @@ fn examples_print_what_their_heads_say() {
 }
 
 #[test]
-fn the_readme_names_every_example() {
+fn the_chapter_names_every_example() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let text = fs::read_to_string(folder.join("../README.md")).expect("it is there");
+    let text = fs::read_to_string(folder.join("../docs/programs.md")).expect("it is there");
     for entry in fs::read_dir(folder).expect("the examples are there") {
         let path = entry.expect("it can be listed").path();
         if path.extension().is_some_and(|extension| extension == "rs") {
             let name = path.file_stem().expect("it has a name").to_string_lossy();
-            assert!(text.contains(&format!("`{name}`")), "the README does not name {name}");
+            assert!(text.contains(&format!("`{name}`")), "the chapter does not name {name}");
             let end = format!("? | `{name}` |");
             let answers = text.lines().any(|line| line.ends_with(&end));
             assert_eq!(
                 answers,
                 SHOWN.contains(&&*name),
-                "{name}: the README's questions are those of the heads"
+                "{name}: the chapter's questions are those of the heads"
             );
         }
     }
