@@ -3,7 +3,7 @@
 use kin_core::__private::live::FactorRow;
 use kin_core::any::PositionChoice;
 use kin_core::batch::{
-    AnyBatch, CHUNKS, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
+    AnyBatch, GivenColumns, LengthMismatch, Numbers, Outcome, SliceSolver, Summary, Vectors, WantedColumns,
     solve_slices,
 };
 #[cfg(feature = "folds")]
@@ -36,16 +36,16 @@ impl<T> Default for BatchMemory<T> {
 impl SliceSolver for Mechanism {
     type Memory<T: Send + 'static> = BatchMemory<T>;
 
-    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut BatchMemory<T>) {
+    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut BatchMemory<T>, chunks: usize) {
         let lengths = self.motion.lengths();
         let zero = T::constant(0.0);
         let alone = [self.motion.lengths_of_orientations(), self.transmission.lengths()];
         let alone = alone.map(|lengths| lengths.numbers(1)).into_iter().max();
-        let numbers = lengths.numbers(CHUNKS).max(alone.unwrap_or(0));
+        let numbers = lengths.numbers(chunks).max(alone.unwrap_or(0));
         memory.numbers.resize(numbers, zero);
         memory.near.resize(self.motion.near_length(), zero);
         memory.reals.resize(lengths.reals, 0.0);
-        memory.rows.resize(CHUNKS * lengths.rows, FactorRow::default());
+        memory.rows.resize(chunks * lengths.rows, FactorRow::default());
     }
 
     fn solve_alone(
@@ -70,7 +70,7 @@ impl SliceSolver for Mechanism {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn solve<T: Scalar + Send + 'static>(
+    fn solve<T: Scalar + Send + 'static, const CHUNKS: usize>(
         &self,
         memory: &mut BatchMemory<T>,
         parameters: &[T],

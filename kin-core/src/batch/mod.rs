@@ -76,7 +76,7 @@ pub(crate) use slices::check_length;
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]
-pub use slices::{CHUNKS, Numbers, SliceSolver, fold_slices, solve_slices};
+pub use slices::{Numbers, SliceSolver, fold_slices, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};

@@ -30,8 +30,8 @@ pub trait SliceSolver: Described {
     /// The memory of the solver, which may be that of another solver of the same type.
     type Memory<T: Send + 'static>: Default + Send + 'static;
 
-    /// Makes the memory large enough for [`CHUNKS`] chunks of poses.
-    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut Self::Memory<T>);
+    /// Makes the memory large enough for so many chunks of poses.
+    fn prepare<T: Scalar + Send + 'static>(&self, memory: &mut Self::Memory<T>, chunks: usize);
 
     /// Solves a pose, as [`AnyMechanism`](crate::any::AnyMechanism) does.
     ///
@@ -45,13 +45,13 @@ pub trait SliceSolver: Described {
         found: &mut Numbers<f64>,
     ) -> Result<(), SolveError>;
 
-    /// Solves a chunk of poses, or [`CHUNKS`] of them side by side: as many as numbers are to be found for. The
+    /// Solves a chunk of poses, or `CHUNKS` of them side by side: as many as numbers are to be found for. The
     /// parameters and inputs of a chunk stand behind those of the chunk before; inputs are given with all orders.
     /// Values nearby choose the position of a single chunk only.
     ///
     /// # Errors
     /// Those of the solver, in the first chunk that fails as a whole. Numbers may be found that are not finite.
-    fn solve<T: Scalar + Send + 'static>(
+    fn solve<T: Scalar + Send + 'static, const CHUNKS: usize>(
         &self,
         memory: &mut Self::Memory<T>,
         parameters: &[T],
@@ -93,9 +93,6 @@ impl KeptMemory {
         kept.unwrap_or_else(|| unreachable!("memory of this type has just been put there"))
     }
 }
-
-/// The chunks that are solved side by side: an operation is looked up once for all of them.
-pub const CHUNKS: usize = 4;
 
 /// The numbers of a pose, or of several.
 #[derive(Debug)]
@@ -364,7 +361,7 @@ struct Room<T, M> {
     parameters: Vec<T>,
     inputs: Vec<T>,
     near: Vec<T>,
-    found: [Numbers<T>; CHUNKS],
+    found: Vec<Numbers<T>>,
     angles: Vec<TransmissionAngle<T>>,
     solver: M,
 }
@@ -376,7 +373,7 @@ impl<T, M: Default> Default for Room<T, M> {
             parameters: Vec::new(),
             inputs: Vec::new(),
             near: Vec::new(),
-            found: Default::default(),
+            found: Vec::new(),
             angles: Vec::new(),
             solver: M::default(),
         }
@@ -418,7 +415,7 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
         if result.is_ok() {
             if angles_are_wanted {
                 let (mut memory, mut angles) = (S::Memory::default(), self.no_angles());
-                self.solver.prepare(&mut memory);
+                self.solver.prepare(&mut memory, 1);
                 self.solver
                     .angles_of_dyads(&mut memory, &parameters, &inputs, &found.positions, &mut angles);
                 self.angles.store(index, &angles);
@@ -498,6 +495,19 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+        // in a constant, so that only one of the two is compiled
+        if const { W > 8 } {
+            self.run_in_chunks::<W, FUSED, 4>()
+        } else {
+            self.run_in_chunks::<W, FUSED, 8>()
+        }
+    }
+}
+
+impl<S: SliceSolver> SliceRun<'_, S> {
+    /// Solves `CHUNKS` chunks of `W` poses side by side: an operation is looked up once for all of them.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run_in_chunks<const W: usize, const FUSED: bool, const CHUNKS: usize>(self) -> Summary {
         let Self {
             alone,
             outcomes,
@@ -534,7 +544,8 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
                 numbers.extend_from_slice(same);
             }
         }
-        alone.solver.prepare(memory);
+        alone.solver.prepare(memory, CHUNKS);
+        found.resize_with(CHUNKS, Numbers::default);
         for found in found.iter_mut() {
             found.prepare(alone.solver, alone.angles.are_wanted());
         }
@@ -562,7 +573,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
             }
             gather_each(near, &near_columns, start);
             verdicts::forget::<f64>();
-            let result = alone.solver.solve(
+            let result = alone.solver.solve::<_, CHUNKS>(
                 memory,
                 &parameters[..chunks * parameter_count],
                 &inputs[..chunks * input_count],
