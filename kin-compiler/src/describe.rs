@@ -42,6 +42,8 @@ pub struct DescribedQuantity {
     pub text: String,
     /// Whether a range was declared for it.
     pub has_range: bool,
+    /// Whether it is returned as a unit vector.
+    pub is_direction: bool,
 }
 
 /// A block.
@@ -179,6 +181,7 @@ fn quantity(name: String, dimension: Dimension, attributes: &[Attribute]) -> Des
         },
         text: first_paragraph(attributes),
         has_range: false,
+        is_direction: dimension == Dimension::Direction,
     }
 }
 

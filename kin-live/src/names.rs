@@ -147,8 +147,13 @@ fn quantity(quantity: &lowered::DescribedQuantity) -> Quantity<'_> {
         Dimension::Scalar => Quantity::scalar(name, text),
         _ => Quantity::length(name, text),
     };
-    if quantity.has_range {
+    let described = if quantity.has_range {
         described.with_range()
+    } else {
+        described
+    };
+    if quantity.is_direction {
+        described.as_direction()
     } else {
         described
     }

@@ -71,6 +71,10 @@ pub struct Quantity<'d> {
     /// Whether the declaration gives a range for it, in which the unknown is found.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "core::ops::Not::not"))]
     pub has_range: bool,
+    /// Whether a pose holds it as a unit vector, and a batch as cosine and sine: an unknown that is declared as a
+    /// `Direction`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "core::ops::Not::not"))]
+    pub is_direction: bool,
 }
 
 impl<'d> Quantity<'d> {
@@ -82,6 +86,7 @@ impl<'d> Quantity<'d> {
             dimension: Dimension::Length,
             description,
             has_range: false,
+            is_direction: false,
         }
     }
 
@@ -93,6 +98,7 @@ impl<'d> Quantity<'d> {
             dimension: Dimension::Angle,
             description,
             has_range: false,
+            is_direction: false,
         }
     }
 
@@ -104,6 +110,17 @@ impl<'d> Quantity<'d> {
             dimension: Dimension::Scalar,
             description,
             has_range: false,
+            is_direction: false,
+        }
+    }
+
+    /// The same quantity as a direction.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn as_direction(self) -> Self {
+        Self {
+            is_direction: true,
+            ..self
         }
     }
 

@@ -332,25 +332,15 @@ impl<'b> ReactionBatch<'b> {
         let unknowns = reactions.unknowns_at(&motions, self.position(&near))?;
         let place = reactions.place(&motions, &unknowns);
         let plan = PosePlan::new(reactions, &place, varies)?;
-        let plan = plan.filter(|plan| !self.asks_for_direction(plan, row));
+        let plan = plan.filter(|plan| !self.asks_for_direction(plan));
         plan.map_or(Ok(None), |plan| TracedPlan::of(reactions, plan, &place, varies))
     }
 
     /// Whether a plan asks for the angle of a direction, of which a batch gives cosine and sine.
-    fn asks_for_direction(&self, plan: &PosePlan, row: usize) -> bool {
-        let mut sines = Vec::new();
-        for quantity in &plan.needed {
-            if let Some(Slot::Unknown(index, _)) = slot(self.reactions, *quantity, 0) {
-                sines.push((Slot::Sine(index), f64::NAN));
-            }
-        }
-        let wanted = sines
-            .iter_mut()
-            .map(|(slot, sine)| (*slot, core::slice::from_mut(sine)));
-        let mut wanted = WantedColumns::new(wanted.collect());
-        let solved = self.motions_of(row..row + 1, &mut wanted, &mut [Outcome::Unsolved]);
-        drop(wanted);
-        solved.is_err() || sines.iter().any(|(_, sine)| !sine.is_nan())
+    fn asks_for_direction(&self, plan: &PosePlan) -> bool {
+        let unknowns = self.reactions.functions.description().unknowns;
+        let mut slots = plan.needed.iter().map(|quantity| slot(self.reactions, *quantity, 0));
+        slots.any(|slot| matches!(slot, Some(Slot::Unknown(index, _)) if unknowns[index].is_direction))
     }
 
     /// Finds the motions of a range of poses.

@@ -194,19 +194,10 @@ impl UntypedSweep<'_> {
             Ok::<_, SweepError>(summary.failed == 0)
         };
         let unknowns = description.unknowns.len();
-        // A batch stores a direction as cosine and sine. Which unknowns are directions is seen at the first row that
-        // closes.
-        let mut is_direction = vec![false; unknowns];
-        for row in 0..count {
-            let (mut sines, mut outcome) = (vec![f64::NAN; unknowns], [Outcome::Unsolved]);
-            if solve(row..row + 1, sines_of(sines.chunks_exact_mut(1)), &mut outcome)? {
-                is_direction = sines.iter().map(|sine| !sine.is_nan()).collect();
-                break;
-            }
-        }
-        let mut sines: Vec<Vec<f64>> = is_direction
-            .iter()
-            .map(|is_direction| vec![f64::NAN; if *is_direction { count } else { 0 }])
+        // a batch stores a direction as cosine and sine
+        let described = description.unknowns.iter();
+        let mut sines: Vec<Vec<f64>> = described
+            .map(|unknown| vec![f64::NAN; if unknown.is_direction { count } else { 0 }])
             .collect();
         let mut is_closed = true;
         for start in (0..count).step_by(BLOCK) {

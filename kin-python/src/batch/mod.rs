@@ -5,7 +5,6 @@ mod memory;
 mod pieces;
 mod poses;
 
-use kin_core::Dimension;
 use kin_core::any::AssemblyChoice;
 use kin_core::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use pyo3::exceptions::PyValueError;
@@ -18,7 +17,7 @@ use crate::declared::Declared;
 
 use given::{Values, broadcast, motion};
 use memory::{Memory, own};
-use pieces::{Columns, NO_SINE, OutcomeColumns, Piece, Scratch, on_threads, parts, threads, turn};
+use pieces::{Columns, OutcomeColumns, Piece, Scratch, on_threads, parts, threads, turn};
 
 pub(crate) use poses::{Batch, restored_batch};
 
@@ -107,8 +106,8 @@ pub(crate) fn solve<'py>(
     };
     let threads = threads(wishes.threads);
     let unknowns = description.unknowns.iter().enumerate();
-    let angles = unknowns.filter(|(_, quantity)| quantity.dimension == Dimension::Angle);
-    let angles: Vec<usize> = angles.map(|(index, _)| index).collect();
+    let directions = unknowns.filter(|(_, quantity)| quantity.is_direction);
+    let directions: Vec<usize> = directions.map(|(index, _)| index).collect();
     let first_failure = py.detach(|| {
         let pieces = found.pieces(outcomes);
         let solve = |scratch: &mut Scratch, piece: Piece<'_>| {
@@ -116,15 +115,11 @@ pub(crate) fn solve<'py>(
             let range = piece.from..piece.from + length;
             let parameters = parts(parameters, &range);
             let motions = parts(motions, &range);
-            let Scratch {
-                outcomes,
-                sines,
-                directions,
-            } = scratch;
+            let Scratch { outcomes, sines } = scratch;
             outcomes.clear();
             outcomes.resize(length, Outcome::Unsolved);
             sines.clear();
-            sines.resize(directions.len() * length, NO_SINE);
+            sines.resize(directions.len() * length, 0.0);
             let mut rest = motions.as_slice();
             let inputs = counts.iter().map(|count| {
                 let (motion, others) = rest.split_at(*count);
@@ -152,11 +147,12 @@ pub(crate) fn solve<'py>(
             let solved = declared.mechanism.solve_batch(given, all, outcomes, Vectors::widest());
             let summary = solved.unwrap_or_else(|_| unreachable!("all columns have the length of the piece"));
             piece.outcomes.write(outcomes, summary.first_failure.is_none());
-            let mut sines = sines.chunks_exact(length);
-            directions.retain(|unknown| sines.next().is_some_and(|sines| turn(&mut wanted, *unknown, sines)));
+            for (unknown, sines) in directions.iter().zip(sines.chunks_exact(length)) {
+                turn(&mut wanted, *unknown, sines);
+            }
             summary.first_failure.map(|(index, error)| (piece.from + index, error))
         };
-        on_threads(pieces, threads, &angles, solve)
+        on_threads(pieces, threads, solve)
     });
     drop(found);
     drop((guards, ends));

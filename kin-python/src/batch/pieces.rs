@@ -17,15 +17,11 @@ const PIECE: usize = 8192;
 /// The fewest poses of a piece. Fewer than a vector are solved one by one, and rounded differently.
 const FEWEST: usize = 512;
 
-/// No sine: an unknown that is no direction leaves it in the column of its sine.
-pub(super) const NO_SINE: f64 = 2.0;
-
 /// The memory of a thread, which its pieces use again.
 pub(super) struct Scratch {
     pub(super) outcomes: Vec<Outcome>,
+    /// For each unknown that is a direction.
     pub(super) sines: Vec<f64>,
-    /// The unknowns that may be directions; from the second piece on, those that are.
-    pub(super) directions: Vec<usize>,
 }
 
 /// The part of a batch that one thread solves.
@@ -126,18 +122,14 @@ impl Columns<'_, '_> {
     }
 }
 
-/// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines. False if it is none.
-pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) -> bool {
-    if sines.first().is_none_or(|sine| *sine == NO_SINE) {
-        return false;
-    }
+/// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines.
+pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) {
     let is_meant = |slot: &Slot| matches!(slot, Slot::Unknown(index, 0) if *index == unknown);
     for (_, cosines) in columns.iter_mut().filter(|(slot, _)| is_meant(slot)) {
         for (angle, sine) in cosines.iter_mut().zip(sines) {
             *angle = Number::atan2(*sine, *angle);
         }
     }
-    true
 }
 
 /// The parts of columns for a range of poses.
@@ -151,11 +143,10 @@ pub(super) fn threads(wished: Option<usize>) -> usize {
     wished.filter(|threads| *threads > 0).unwrap_or_else(all)
 }
 
-/// Solves all pieces, and returns the failure with the lowest index. Some unknowns may be directions.
+/// Solves all pieces, and returns the failure with the lowest index.
 pub(super) fn on_threads(
     pieces: Vec<Piece<'_>>,
     threads: usize,
-    directions: &[usize],
     solve: impl Fn(&mut Scratch, Piece<'_>) -> Option<(usize, SolveError)> + Sync,
 ) -> Option<(usize, SolveError)> {
     let threads = threads.min(pieces.len());
@@ -163,7 +154,6 @@ pub(super) fn on_threads(
         let mut scratch = Scratch {
             outcomes: Vec::new(),
             sines: Vec::new(),
-            directions: directions.to_vec(),
         };
         pieces.filter_map(|piece| solve(&mut scratch, piece)).collect()
     };

@@ -12,7 +12,7 @@ use datafusion::logical_expr::{
 };
 use kin_core::any::Quantity;
 use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
-use kin_core::{Dimension, in_small_letters};
+use kin_core::in_small_letters;
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
 use super::assembly;
@@ -254,9 +254,6 @@ struct Poses {
     outcomes: Vec<Outcome>,
 }
 
-/// A number that is no sine. An entry keeps it if its unknown is not a direction.
-const NO_SINE: f64 = 2.0;
-
 impl Poses {
     fn solve(
         solver: &dyn Solver,
@@ -271,8 +268,8 @@ impl Poses {
         let (unknowns, outputs) = (description.unknowns.len(), description.outputs.len());
         let mut columns = vec![vec![0.0; padded]; (unknowns + outputs) * (order + 1)];
         let mut outcomes = vec![Outcome::Unsolved; padded];
-        let is_angle = |unknown: usize| description.unknowns[unknown].dimension == Dimension::Angle;
-        let sine = |unknown| vec![NO_SINE; if is_angle(unknown) { padded } else { 0 }];
+        let is_direction = |unknown: usize| description.unknowns[unknown].is_direction;
+        let sine = |unknown| vec![0.0; if is_direction(unknown) { padded } else { 0 }];
         let mut sines: Vec<Vec<f64>> = (0..unknowns).map(sine).collect();
 
         let mut wanted = Vec::new();
@@ -284,17 +281,19 @@ impl Poses {
             };
             wanted.push((slot, column.as_mut_slice()));
         }
-        for (unknown, sine) in sines.iter_mut().enumerate().filter(|(unknown, _)| is_angle(*unknown)) {
+        for (unknown, sine) in sines
+            .iter_mut()
+            .enumerate()
+            .filter(|(unknown, _)| is_direction(*unknown))
+        {
             wanted.push((Slot::Sine(unknown), sine.as_mut_slice()));
         }
         solver
             .solve_batch(given, &mut WantedColumns::new(wanted), &mut outcomes, vectors)
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))?;
         for (unknown, sines) in sines.iter().enumerate() {
-            if sines.first().is_some_and(|sine| *sine != NO_SINE) {
-                for (angle, sine) in columns[unknown * (order + 1)].iter_mut().zip(sines) {
-                    *angle = sine.atan2(*angle);
-                }
+            for (angle, sine) in columns[unknown * (order + 1)].iter_mut().zip(sines) {
+                *angle = sine.atan2(*angle);
             }
         }
         Ok(Self { columns, outcomes })

@@ -334,7 +334,8 @@ fn description(mechanism: &Compiled<'_>) -> TokenStream {
             });
             let (name, text) = (&quantity.name, &quantity.text);
             let range = quantity.has_range.then(|| quote!(.with_range()));
-            quote!(#runtime::Quantity::#kind(#name, #text) #range)
+            let direction = quantity.is_direction.then(|| quote!(.as_direction()));
+            quote!(#runtime::Quantity::#kind(#name, #text) #range #direction)
         });
         quote!(&[#(#quantities),*])
     };
