@@ -61,7 +61,7 @@ pub use syntax::Dimension;
 #[doc(hidden)]
 pub use syntax::{Axis, ValueShape};
 #[cfg(feature = "text")]
-pub use text::{Declaration, Mistake, Position, Quantity, function_names, name_mistake};
+pub use text::{Declaration, Mistake, Position, Quantity, fault_and_advice, function_names, name_mistake};
 #[doc(hidden)]
 pub use translate::tree;
 

@@ -92,29 +92,37 @@ impl Mistake {
     /// What is wrong: the message up to the first colon or semicolon outside of code.
     #[must_use]
     pub fn fault(&self) -> &str {
-        self.parts().0
+        fault_and_advice(&self.message).0
     }
 
     /// What to do about it, the rest of the message; `None` where the fault alone says it, or belongs to another
     /// mistake.
     #[must_use]
     pub fn advice(&self) -> Option<&str> {
-        self.parts().1
+        fault_and_advice(&self.message).1
     }
+}
 
-    fn parts(&self) -> (&str, Option<&str>) {
-        let mut is_code = false;
-        for (index, letter) in self.message.char_indices() {
-            is_code ^= letter == '`';
-            let (fault, rest) = self.message.split_at(index);
-            if let Some(advice) = rest.strip_prefix(": ").or(rest.strip_prefix("; "))
-                && !is_code
-            {
-                return (fault, Some(advice));
-            }
+/// The part of a message that says what is wrong, and the part that says what to do: see [`Mistake::fault`] and
+/// [`Mistake::advice`].
+///
+/// ```
+/// let (fault, advice) = kin_compiler::fault_and_advice("an angle has a unit: write `3deg`");
+/// assert_eq!((fault, advice), ("an angle has a unit", Some("write `3deg`")));
+/// ```
+#[must_use]
+pub fn fault_and_advice(message: &str) -> (&str, Option<&str>) {
+    let mut is_code = false;
+    for (index, letter) in message.char_indices() {
+        is_code ^= letter == '`';
+        let (fault, rest) = message.split_at(index);
+        if let Some(advice) = rest.strip_prefix(": ").or(rest.strip_prefix("; "))
+            && !is_code
+        {
+            return (fault, Some(advice));
         }
-        (&self.message, None)
     }
+    (message, None)
 }
 
 /// A position in a text.

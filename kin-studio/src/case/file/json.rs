@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use kin_compiler::Quantity;
+use kin_compiler::{Quantity, fault_and_advice};
 use kin_core::any::{Described as _, Pictured as _};
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::{Value, json};
@@ -44,22 +44,9 @@ fn one(text: &str, severity: &str, message: &str, range: &Range<usize>) -> Value
     json!({
         "severity": severity,
         "message": message,
-        "advice": advice(message),
+        "advice": fault_and_advice(message).1,
         "range": range_in_lines(text, range),
     })
-}
-
-/// The part of a message that says what to do: behind the first colon or semicolon that stands in no code.
-fn advice(message: &str) -> Option<&str> {
-    let mut is_code = false;
-    for (index, letter) in message.char_indices() {
-        match letter {
-            '`' => is_code = !is_code,
-            ';' | ':' if !is_code => return message[index + 1..].strip_prefix(' '),
-            _ => {}
-        }
-    }
-    None
 }
 
 /// A range as editors count: lines from zero, and units of UTF-16 in the line from zero.
@@ -151,16 +138,5 @@ mod tests {
         let start = text.find("30").unwrap();
         let position = json!({ "line": 1, "character": 6 });
         assert_eq!(range_in_lines(text, &(start..start + 2))["start"], position);
-    }
-
-    #[test]
-    fn advice_stands_behind_the_mistake() {
-        for (message, wanted) in [
-            ("`a: b` is wrong; write `c`", Some("write `c`")),
-            ("an angle has a unit: write `3deg`", Some("write `3deg`")),
-            ("there are two sections", None),
-        ] {
-            assert_eq!(advice(message), wanted);
-        }
     }
 }
