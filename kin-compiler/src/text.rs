@@ -43,7 +43,7 @@ use crate::work;
 /// assert!(compiled.printout().contains("velocity: "));
 ///
 /// let mistakes = Declaration::parse(&slider_crank.replace("cis(phi)", "cis(psi)")).unwrap_err();
-/// let message = "6:30: no parameter, input, unknown or `let` is called `psi`; did you mean `phi`?";
+/// let message = "6:30: no parameter, input, unknown, `let` or output is called `psi`; did you mean `phi`?";
 /// assert_eq!(mistakes[0].to_string(), message);
 /// assert_eq!(&slider_crank[mistakes[0].bytes.clone()], "phi");
 /// ```

@@ -191,7 +191,7 @@ impl<'a> Scope<'a> {
             suggestion(word, usable.iter().map(String::as_str))
         };
         self.meant.extend(likely.map(str::to_owned));
-        format!("no parameter, input, unknown or `let` is called `{word}`{near}")
+        format!("no parameter, input, unknown, `let` or output is called `{word}`{near}")
     }
 
     /// Counts a name in a wrong position as used, because the mistake there has been reported.

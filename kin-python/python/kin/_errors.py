@@ -34,7 +34,7 @@ class DeclarationError(KinError, ValueError):
     ... except kin.DeclarationError as error:
     ...     mistake = error.mistakes[0]
     >>> mistake.line, mistake.column, mistake.fault, mistake.advice
-    (1, 72, 'no parameter, input, unknown or `let` is called `q`', 'did you mean `r`?')
+    (1, 72, 'no parameter, input, unknown, `let` or output is called `q`', 'did you mean `r`?')
     """
 
     #: All mistakes, in the order of the text; none if the declaration is too large.
