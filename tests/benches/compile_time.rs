@@ -45,7 +45,8 @@ impl User {
             .expect("the tests are within the repository");
         let core = repository.join("kin-core").display().to_string();
         let manifest = format!(
-            "[package]\nname = \"user\"\nedition = \"2024\"\n\n[dependencies]\nkin-core = {{ path = '{core}', features = {features:?} }}\n\n\
+            "[package]\nname = \"user\"\nedition = \"2024\"\n\n[dependencies]\nkin-core = {{ path = '{core}', \
+                features = {features:?} }}\n\n\
              [workspace]\n\n{profile}"
         );
         fs::write(directory.join("Cargo.toml"), manifest).expect("the directory can be written");
@@ -253,7 +254,8 @@ fn six_bar(question: &str) -> String {
         "use kin_core::prelude::*;
         use kin_core::cycle::FullCycle;
         mechanism! {{
-            pub struct SixBar {{ r1: Length, r2: Length, r3: Length, r4: Length, arm: Length, r5: Length, r6: Length, pivot: Point }}
+            pub struct SixBar {{ r1: Length, r2: Length, r3: Length, r4: Length, arm: Length, r5: Length,
+                r6: Length, pivot: Point }}
             input theta2: Angle;
             unknown theta3: Angle, theta4: Angle, theta5: Angle, theta6: Angle;
             r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);

@@ -1,4 +1,5 @@
-//! Mechanisms that move without a drive: a benchmark that passes through change points, and a press that friction slows.
+//! Mechanisms that move without a drive: a benchmark that passes through change points, and a press that friction
+//! slows.
 //!
 //! The accelerations of the benchmark follow from `Loads::accelerations`. Friction depends on the forces in the joints,
 //! and these on the acceleration that is sought: the acceleration is the one at which the drive has nothing to do,
@@ -47,9 +48,9 @@ fn integrated<const N: usize>(
 mechanism! {
     /// Two parallelograms in a row, in metres. Three bars stand on the ground, and two lie across them.
     ///
-    /// Where all bars lie in one line, a four-bar linkage of these lengths could also go on as an antiparallelogram, and
-    /// the position of its coupler loses all digits. So the closure says what a parallelogram is: opposite bars have the
-    /// same angle, wherever they are.
+    /// Where all bars lie in one line, a four-bar linkage of these lengths could also go on as an antiparallelogram,
+    /// and the position of its coupler loses all digits. So the closure says what a parallelogram is: opposite bars
+    /// have the same angle, wherever they are.
     pub(crate) struct Parallelograms { bar: Length }
     input theta: Angle;
     unknown second: Angle, third: Angle;

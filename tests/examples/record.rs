@@ -113,10 +113,9 @@ fn main() {
     anywhere! {
         coupled { Kepler RelativeDrive Triad StephensonThree SixCoupled }
         sensitive {
-            SensitiveFourBar SensitiveRanged SensitiveSlider SensitivePump SensitiveSlides SensitiveWatt SensitiveLogarithm
-            SensitiveFunctions SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric SensitiveSeries
-            SensitiveOutputs SensitiveTernary SensitiveRssr
-            SensitiveRssp
+            SensitiveFourBar SensitiveRanged SensitiveSlider SensitivePump SensitiveSlides SensitiveWatt
+            SensitiveLogarithm SensitiveFunctions SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric
+            SensitiveSeries SensitiveOutputs SensitiveTernary SensitiveRssr SensitiveRssp
         }
     }
 }

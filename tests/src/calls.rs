@@ -76,7 +76,8 @@ pub fn kernel(tape: &Tape) -> String {
     }
     assert_eq!(start, tape.arguments.len(), "{name}");
     format!(
-        "#include \"{name}.h\"\n\nint kernel(const double *in, double *out);\nint kernel(const double *in, double *out)\n{{\n    return \
-         {name}_solve({arguments}({name}_pose *)out).code;\n}}\n"
+        "#include \"{name}.h\"\n\nint kernel(const double *in, double *out);\n\
+         int kernel(const double *in, double *out)\n\
+         {{\n    return {name}_solve({arguments}({name}_pose *)out).code;\n}}\n"
     )
 }

@@ -5,8 +5,9 @@ use crate::numbers;
 use crate::random::Random;
 
 /// Words and signs of the language, and of Rust.
-const VOCABULARY: &str = "struct enum input unknown let output order with where in test sensitivities transmission_angles Length Angle \
-    Scalar Point Vector Point3 Vector3 Direction PI sin cos tan asin acos atan atan2 sqrt exp ln powi cis polar vec2 \
+const VOCABULARY: &str = "struct enum input unknown let output order with where in test sensitivities \
+    transmission_angles Length Angle Scalar Point Vector Point3 Vector3 Direction PI sin cos tan asin acos atan \
+    atan2 sqrt exp ln powi cis polar vec2 \
     vec3 rot_x rot dot cross norm x y z ; , : = == != + - * / % ** < <= > >= .. ..= ... . :: -> => & && | || ! ? @ # \
     $ ~ ^ += << _ () [] {} (0)";
 

@@ -14,8 +14,9 @@ pub(crate) enum Naming {
 }
 
 /// Names that are good ones by the rules of the language.
-const UNUSUAL: &str = "θ φ größe длина 角度 ελ naïve é ﬁ ß ǅ İ ſ µ μ ℓ ª a_ _a __a a__b _0 x y z i n m s t e pi Pi p_x p_y p_z \
-    x_y sin_t cos_t assembly near failure pose position result candidate size first second value values velocity \
+const UNUSUAL: &str = "θ φ größe длина 角度 ελ naïve é ﬁ ß ǅ İ ſ µ μ ℓ ª a_ _a __a a__b _0 x y z i n m s t e pi Pi p_x \
+    p_y p_z x_y sin_t cos_t assembly near failure pose position result candidate size first second value values \
+    velocity \
     acceleration jerk snap crackle pop derivative_7 motion motions rate rates order with test sensitivities \
     transmission_angles solve solve_all solve_near batch position_near assembly_at assemblies_at closure \
     skeleton track convert parameters inputs unknowns outputs clone eq fmt deref into from default kin core std \
@@ -23,8 +24,9 @@ const UNUSUAL: &str = "θ φ größe длина 角度 ελ naïve é ﬁ ß ǅ 
     union auto raw safe macro_rules index guess input_ lanes batch by turn";
 
 /// Names that are none, or that the language keeps for itself.
-const FORBIDDEN: &str = "type fn async dyn gen try abstract priv self Self super crate box typeof in where as mut static struct true _ __ \
-    r#type r#a r#input r#let r#sin r#_a input unknown let output PI sin cis powi vec2 rot norm 'a 1a $a a.b a::b a! \
+const FORBIDDEN: &str = "type fn async dyn gen try abstract priv self Self super crate box typeof in where as mut \
+    static struct true _ __ r#type r#a r#input r#let r#sin r#_a input unknown let output PI sin cis powi vec2 \
+    rot norm 'a 1a $a a.b a::b a! \
     r#PI";
 
 /// Hands out names that differ from each other.

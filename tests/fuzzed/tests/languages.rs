@@ -219,7 +219,8 @@ fn mechanisms_in_c() {
             "#include <stdio.h>
 #define CASE(place, arguments, results) int kernel##place(const double *in, double *out);
 {table}#undef CASE
-static int solve(const char *from, const char *to, size_t arguments, size_t results, int (*kernel)(const double *, double *))
+static int solve(const char *from, const char *to, size_t arguments, size_t results,
+    int (*kernel)(const double *, double *))
 {{
     static double in[1000], out[1000];
     FILE *const given = fopen(from, \"rb\"), *const found = fopen(to, \"wb\");

@@ -63,8 +63,9 @@ mod tests {
 
     #[test]
     fn calls_of_the_module_are_summed() {
-        let profile = "events: Ir\nfn=main\n1 7\ncfn=program::counted::one\ncalls=2 0\n3 40\n4 5\ncfn=other\ncalls=1 0\n3 900\n\
-                       cfn=program::counted::two\ncalls=1 0\n5 11\nfn=other\ncfn=program::counted::one\ncalls=1 0\n6 2\n";
+        let profile = "events: Ir\nfn=main\n1 7\ncfn=program::counted::one\ncalls=2 0\n3 40\n4 5\n\
+                       cfn=other\ncalls=1 0\n3 900\ncfn=program::counted::two\ncalls=1 0\n5 11\n\
+                       fn=other\ncfn=program::counted::one\ncalls=1 0\n6 2\n";
         let counts = inclusive(profile, "counted::");
         let expected = [("one".to_owned(), 42), ("two".to_owned(), 11)];
         assert_eq!(counts.into_iter().collect::<Vec<_>>(), expected);

@@ -1,7 +1,7 @@
 //! Counts the instructions of kin's solvers, and refuses more than there were.
 //!
 //! ```text
-//! cargo run --profile bench -p kin-instructions               # counts and compares with `recorded.txt`; fails if there are more
+//! cargo run --profile bench -p kin-instructions               # counts, and fails if `recorded.txt` has fewer
 //! cargo run --profile bench -p kin-instructions -- --record   # counts and writes them down
 //! ```
 //!

@@ -109,8 +109,9 @@ impl Record {
             return Ok(());
         }
         Err(format!(
-            "{}\n(up to {allowance} more of a thousand are allowed, as the record is of rustc {} and this is {COMPILER}; if it has to be so, renew \
-             the record by `cargo run --profile bench -p kin-instructions -- --record`)",
+            "{}\n(up to {allowance} more of a thousand are allowed, as the record is of rustc {} and this is \
+             {COMPILER}; if it has to be so, renew the record \
+             by `cargo run --profile bench -p kin-instructions -- --record`)",
             faults.join("\n"),
             self.compiler
         ))

@@ -3,8 +3,8 @@
 //! declarations, which give no further errors. The messages of the macro itself are tested in
 //! `kin-compiler/src/testing/mistakes`, without the compiler.
 //!
-//! `cargo test -p kin-messages -- --ignored` compares them, as `.ci/run messages` does. With `TRYBUILD=overwrite` before
-//! it the command writes the messages anew. Read them before you keep them.
+//! `cargo test -p kin-messages -- --ignored` compares them, as `.ci/run messages` does. With `TRYBUILD=overwrite`
+//! before it the command writes the messages anew. Read them before you keep them.
 
 #[test]
 #[ignore = "compiles fifty programs, see .ci/run"]

@@ -5,12 +5,14 @@ use kin_core::prelude::*;
 
 /// Four-bar linkages in series: the rocker of each is the crank of the next.
 macro_rules! chain {
-    ($name:ident: $crank:ident $theta:ident; $(($ground:ident $coupler:ident $rocker:ident $phi:ident $psi:ident))+) => {
+    ($name:ident: $crank:ident $theta:ident;
+        $(($ground:ident $coupler:ident $rocker:ident $phi:ident $psi:ident))+) => {
         chain! { @loops $name $crank $theta [$($ground $coupler $rocker)+] [$($phi $psi)+] [] $crank $theta;
             $(($ground $coupler $rocker $phi $psi))+ }
     };
     (@loops $name:ident $crank:ident $theta:ident [$($parameter:ident)+] [$($unknown:ident)+] [$($equation:tt)*]
-        $before:ident $angle:ident; ($ground:ident $coupler:ident $rocker:ident $phi:ident $psi:ident) $($rest:tt)*) => {
+        $before:ident $angle:ident;
+        ($ground:ident $coupler:ident $rocker:ident $phi:ident $psi:ident) $($rest:tt)*) => {
         chain! { @loops $name $crank $theta [$($parameter)+] [$($unknown)+] [
             $($equation)*
             $before * cis($angle) + $coupler * cis($phi) == $ground + $rocker * cis($psi);

@@ -76,8 +76,8 @@ fn the_summary_lists_the_chapters() {
     assert_eq!(links, found);
 }
 
-/// The anchor that pages give to a heading: its letters, digits, hyphens and underscores in lower case, with hyphens for
-/// spaces.
+/// The anchor that pages give to a heading: its letters, digits, hyphens and underscores in lower case, with hyphens
+/// for spaces.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter_map(|character| match character {
         ' ' => Some('-'),

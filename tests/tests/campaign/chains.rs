@@ -85,8 +85,8 @@ ring!(Ring6: x0 x1 x2 x3 x4 x5; x0 x1 x2 t; x1 x2 x3 1; x2 x3 x4 2; x3 x4 x5 t; 
 ring!(Ring8: x0 x1 x2 x3 x4 x5 x6 x7;
     x0 x1 x2 t; x1 x2 x3 1; x2 x3 x4 2; x3 x4 x5 t; x4 x5 x6 1; x5 x6 x7 2; x6 x7 x0 t; x7 x0 x1 1;);
 ring!(Ring12: x0 x1 x2 x3 x4 x5 x6 x7 x8 x9 x10 x11;
-    x0 x1 x2 t; x1 x2 x3 1; x2 x3 x4 2; x3 x4 x5 t; x4 x5 x6 1; x5 x6 x7 2; x6 x7 x8 t; x7 x8 x9 1; x8 x9 x10 2; x9 x10 x11 t;
-    x10 x11 x0 1; x11 x0 x1 2;);
+    x0 x1 x2 t; x1 x2 x3 1; x2 x3 x4 2; x3 x4 x5 t; x4 x5 x6 1; x5 x6 x7 2; x6 x7 x8 t; x7 x8 x9 1; x8 x9 x10 2;
+    x9 x10 x11 t; x10 x11 x0 1; x11 x0 x1 2;);
 
 /// The terms of the equations of a chain.
 fn chain_terms<const N: usize>([a, b, k]: [f64; 3], t: f64, x: [f64; N]) -> Vec<Vec<f64>> {
@@ -179,7 +179,8 @@ fn chains_and_rings(draws: usize, seed: u64) -> usize {
                 let chain = $name { k };
                 let position = chain.position(t).ok();
                 let condition = position.map(|position| chain.condition(&position));
-                let terms = || chain_terms([20.0, 0.0, k], t, position.map_or([f64::NAN; $count], |found| found.unknowns()));
+                let unknowns = position.map_or([f64::NAN; $count], |found| found.unknowns());
+                let terms = || chain_terms([20.0, 0.0, k], t, unknowns);
                 found.count(condition, terms, &format!("{chain:?} {t:?}"));
             }
             found.report(stringify!($name));

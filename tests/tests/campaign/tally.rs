@@ -213,7 +213,8 @@ impl fmt::Display for Report {
         writeln!(formatter)?;
         writeln!(
             formatter,
-            "| mechanism | closure: position | velocity | acceleration | jerk | snap | batch | values | undecided | single | poses |"
+            "| mechanism | closure: position | velocity | acceleration | jerk | snap | batch | values | undecided | \
+                single | poses |"
         )?;
         writeln!(formatter, "|{}", "---|".repeat(11))?;
         for tally in rows() {

@@ -31,23 +31,24 @@ const CORE: Package = Package {
     faces: &["lib", "declared", "prelude", "private"],
     root_items: &["storable", "each_library_mechanism", "__debug_by_display"],
     rooms: "number geometry quantity failure assembly solve bounds motion hermite law picture mechanism any assemblies \
-            curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify library editor",
+            curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify library \
+            editor",
 };
 
 const COMPILER: Package = Package {
     name: "kin-compiler",
     faces: &["lib"],
     root_items: &[],
-    rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program describe refuse derive \
-            assemble schedule plan lower translate emit editor fallback expand bug budget+text",
+    rooms: "work+room mistakes precedence algebra syntax model structure formulas passes program describe refuse \
+            derive assemble schedule plan lower translate emit editor fallback expand bug budget+text",
 };
 
 const LIVE: Package = Package {
     name: "kin-live",
     faces: &["lib"],
     root_items: &[],
-    rooms: "memory budget names elementary sheet::registers sheet::instruction sheet code code::assembler run routine forms motion \
-            every formulas mechanism functions batch",
+    rooms: "memory budget names elementary sheet::registers sheet::instruction sheet code code::assembler run \
+            routine forms motion every formulas mechanism functions batch",
 };
 
 const FIT: Package = Package {

@@ -7,9 +7,6 @@ use crate::root;
 
 const WIDTH: usize = 120;
 
-/// What has longer lines still. A part that has none any more leaves the list.
-const EXEMPT: [&str; 1] = ["tests"];
-
 /// The files below a folder with the numbers of their lines that are too long.
 fn long_lines(path: &Path) -> Vec<(PathBuf, usize)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -43,18 +40,10 @@ fn is_too_long(line: &str) -> bool {
 #[test]
 fn lines_are_not_too_long() {
     let long = long_lines(&root());
-    let exempt = EXEMPT.map(|part| root().join(part));
-    let is_exempt = |path: &Path| exempt.iter().any(|part| path.starts_with(part));
-    let mut faults: Vec<String> = long
+    let faults: Vec<String> = long
         .iter()
-        .filter(|(path, _)| !is_exempt(path))
         .map(|(path, line)| format!("{}:{line}", path.display()))
         .collect();
-    for part in &exempt {
-        if !long.iter().any(|(path, _)| path.starts_with(part)) {
-            faults.push(format!("{} has no long lines: take it off the list", part.display()));
-        }
-    }
     assert!(
         faults.is_empty(),
         "more than {WIDTH} characters:\n{}",

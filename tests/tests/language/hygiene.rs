@@ -149,7 +149,8 @@ mod visibilities {
 /// Quantities that are called as the generated code calls its own.
 mod names_of_the_generator {
     kin_core::mechanism! {
-        pub struct Locals { pub assembly: Length, pub near: Length, pub result: Length, pub failure: Length, pub index: Length }
+        pub struct Locals { pub assembly: Length, pub near: Length, pub result: Length, pub failure: Length,
+            pub index: Length }
         input position: Angle, inputs: Length;
         unknown first: Angle, second: Angle, determinant: Length, candidate: Length where candidate > 0;
 
@@ -174,7 +175,8 @@ mod names_of_the_generator {
 /// The same for what is requested, and the word that requests it.
 mod names_of_requests {
     kin_core::mechanism! {
-        pub struct Requests { pub unknowns: Length, pub along_1: Length, pub transmission_angles: Length, pub joint_0: Length }
+        pub struct Requests { pub unknowns: Length, pub along_1: Length, pub transmission_angles: Length,
+            pub joint_0: Length }
         input pose: Angle, values: Length;
         unknown across_1: Angle, with: Angle, test: Length;
         along_1 * cis(pose) + transmission_angles * cis(across_1) == unknowns + joint_0 * cis(with);
@@ -254,7 +256,9 @@ mod names_of_mechanisms {
             }
         )*};
     }
-    named!(kin Kin Result Option Some None Ok Err Near Motion Plane Assembly Mechanism Scalar S V f64 Number Element Place);
+    named! {
+        kin Kin Result Option Some None Ok Err Near Motion Plane Assembly Mechanism Scalar S V f64 Number Element Place
+    }
 }
 
 #[test]
@@ -322,7 +326,8 @@ mod items_called_like_variables {
 
     kin_core::mechanism! {
         pub struct Triad {
-            pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub l: Length, pub t: Length, pub pivot: Point
+            pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub l: Length, pub t: Length,
+            pub pivot: Point
         }
         input theta: Angle;
         unknown alpha: Direction, phi: Angle, theta3: Angle, psi: Angle;

@@ -209,7 +209,8 @@ fn scalar_equations_have_an_empty_skeleton() {
 #[test]
 fn loops_of_space() {
     mechanism! {
-        pub struct SpaceLoop { pub crank: Length, pub rod: Length, pub rocker: Length, pub pivot: Point3, pub post: Length }
+        pub struct SpaceLoop { pub crank: Length, pub rod: Length, pub rocker: Length, pub pivot: Point3,
+            pub post: Length }
         input theta: Angle;
         unknown phi: Angle, azimuth: Angle, elevation: Angle, x: Length, y: Length;
         rot_z(theta) * vec3(crank, 0, 0) + rot_z(azimuth) * rot_y(-elevation) * vec3(rod, 0, 0)

@@ -81,7 +81,8 @@ fn what_rounding_hides_is_said_to_be_hidden() {
     assert!(halt.steps > 0 && halt.steps < 1000 && halt.fraction < 1.0);
     assert!(
         message.starts_with(
-            "no step, however short, is certain to stay in the assembly at q = -0.5941403 rad (-34.0°), after 0 of the way"
+            "no step, however short, is certain to stay in the assembly at q = -0.5941403 rad (-34.0°), after 0 of \
+                the way"
         ),
         "{message}"
     );

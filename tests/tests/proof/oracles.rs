@@ -46,7 +46,10 @@ macro_rules! groups {
     };
 }
 
-groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges in_space with_outputs as_directions library }
+groups! {
+    four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges in_space with_outputs as_directions
+    library
+}
 
 /// Holds a mechanism of the library with random dimensions against both oracles, on a grid of crank angles with random
 /// motions.

@@ -201,7 +201,8 @@ mod forms {
 
     mechanism! {
         /// Three legs of which the lines meet in a point: the platform can be turned a little about it.
-        pub struct Platform { a: Length, b: Length, c: Length, pivot_a: Point, pivot_b: Point, pivot_c: Point, p: Vector, q: Vector }
+        pub struct Platform { a: Length, b: Length, c: Length, pivot_a: Point, pivot_b: Point, pivot_c: Point,
+            p: Vector, q: Vector }
         input theta: Angle;
         unknown alpha: Angle, beta: Angle, gamma: Angle, phi: Angle;
         order = 1;

@@ -46,7 +46,8 @@ mechanism! {
 
 mechanism! {
     /// A geared five-bar, driven at a coupler link: the gear relation stands in the loop.
-    pub struct GearedDyad { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub r5: Length, pub ratio: Scalar, pub phase: Angle }
+    pub struct GearedDyad { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub r5: Length,
+        pub ratio: Scalar, pub phase: Angle }
     input theta3: Angle;
     unknown theta2: Angle, theta4: Angle, theta5: Angle;
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r5 * cis(theta5) + r4 * cis(theta4);
@@ -86,7 +87,8 @@ fn relations_are_put_into_loops() {
 #[test]
 fn driving_and_driven_change_places() {
     mechanism! {
-        pub struct Forward { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub offset: Vector, pub pivot: Point }
+        pub struct Forward { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub offset: Vector,
+            pub pivot: Point }
         input theta2: Angle;
         unknown theta3: Angle, theta4: Angle, stroke: Length where stroke > 0, psi: Angle;
         let joint = r2 * cis(theta2);

@@ -211,7 +211,10 @@ fn wrong_arguments_throw_in_java_script() {
         )
         .unwrap();
     }
-    driver.push_str("const L = { r1: 90, r2: 30, r3: 80, r4: 70 };\nconst check = (call) => { try { call(); console.log(\"right\"); } catch (error) { console.log(String(error)); } };\n");
+    driver.push_str(
+        "const L = { r1: 90, r2: 30, r3: 80, r4: 70 };\nconst check = (call) => { try { call(); \
+         console.log(\"right\"); } catch (error) { console.log(String(error)); } };\n",
+    );
     for (call, _) in JAVA_SCRIPT {
         writeln!(driver, "check(() => {call});").unwrap();
     }
@@ -240,7 +243,10 @@ fn wrong_arguments_raise_in_python() {
         )
         .unwrap();
     }
-    driver.push_str("L = {'r1': 90, 'r2': 30, 'r3': 80, 'r4': 70}\ndef check(call):\n    try:\n        call()\n        print('right')\n    except Exception as error:\n        print(f'{type(error).__name__}: {error}')\n");
+    driver.push_str(
+        "L = {'r1': 90, 'r2': 30, 'r3': 80, 'r4': 70}\ndef check(call):\n    try:\n        call()\n        \
+         print('right')\n    except Exception as error:\n        print(f'{type(error).__name__}: {error}')\n",
+    );
     for (call, _) in PYTHON {
         writeln!(driver, "check(lambda: {call})").unwrap();
     }

@@ -143,7 +143,9 @@ struct Outcome {
 }
 
 unsafe extern \"C\" {
-    fn four_bar_solve(linkage: *const [f64; 4], crank: *const [f64; 5], assembly: *const f64, pose: *mut [f64; 10]) -> Outcome;
+    fn four_bar_solve(
+        linkage: *const [f64; 4], crank: *const [f64; 5], assembly: *const f64, pose: *mut [f64; 10],
+    ) -> Outcome;
 }
 
 fn main() {

@@ -34,14 +34,16 @@ impl Written {
             assembly,
         } = &call;
         let call_in_java_script = format!(
-            "export {{ solve }} from \"./mechanism.mjs\";\nexport const given = (a) => [{parameters}, {inputs}, {assembly}];\n"
+            "export {{ solve }} from \"./mechanism.mjs\";\nexport const given = (a) => [{parameters}, {inputs}, \
+                {assembly}];\n"
         );
         let mut call_in_python =
             String::from("import dataclasses\n\nimport numpy as np\n\nfrom mechanism import solve\n\n\n");
         write!(
             call_in_python,
             "def solver(_, a):\n    def rows(a):\n        pose = solve({parameters}, {inputs}, {assembly})\n        \
-             return np.concatenate([getattr(pose, field.name) for field in dataclasses.fields(pose)[3:]])\n\n    return rows\n"
+             return np.concatenate([getattr(pose, field.name) for field in dataclasses.fields(pose)[3:]])\n\n    \
+             return rows\n"
         )
         .expect("a string can be written");
         fs::create_dir_all(folder).expect("cargo's folder can be written");

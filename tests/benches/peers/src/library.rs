@@ -81,7 +81,8 @@ pub(crate) fn measure(environment: &Environment, is_for_book: bool) {
     let mut rows = table.rows;
     rows.sort();
     let mut text = String::from(
-        "| mechanism | C, KB | JavaScript, KB | Python, KB | `solve`, ns | C | JavaScript | NumPy |\n|---|---|---|---|---|---|---|---|\n",
+        "| mechanism | C, KB | JavaScript, KB | Python, KB | `solve`, ns | C | JavaScript | NumPy |\n\
+         |---|---|---|---|---|---|---|---|\n",
     );
     text.extend(rows);
     for (language, (ratio, name)) in ["C", "JavaScript"].into_iter().zip(table.largest) {

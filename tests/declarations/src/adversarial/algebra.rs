@@ -99,7 +99,8 @@ pub(super) fn rotations_in_a_product(random: &mut Random, n: usize) -> String {
         }
     });
     format!(
-        "struct M {{ w: Vector3, p: Point3, d: Angle, a: Length }} input t: Angle; unknown u: Angle; dot(vec3(0, 0, 1), {product} * p) == a + dot(w, vec3(d, 0, 0));"
+        "struct M {{ w: Vector3, p: Point3, d: Angle, a: Length }} input t: Angle; unknown u: Angle; dot(vec3(0, 0, \
+            1), {product} * p) == a + dot(w, vec3(d, 0, 0));"
     )
 }
 
@@ -112,7 +113,8 @@ pub(super) fn angles_in_a_sum(random: &mut Random, n: usize) -> String {
         _ => format!("polar(a, u - t - ({sum}))"),
     };
     format!(
-        "struct M {{ a: Length, b: Length, {fields} }} input t: Angle; unknown u: Angle, s: Length; {link} + b * cis(t + {sum}) == vec2(s, 0);"
+        "struct M {{ a: Length, b: Length, {fields} }} input t: Angle; unknown u: Angle, s: Length; {link} + b * \
+            cis(t + {sum}) == vec2(s, 0);"
     )
 }
 
@@ -155,6 +157,7 @@ pub(super) fn identities(random: &mut Random, n: usize) -> String {
     ];
     let equations = repeated(n.div_ceil(6), "; ", |_| (*random.pick(&forms)).to_owned());
     format!(
-        "struct M {{ a: Length, k: Scalar }} input t: Angle; unknown n: Scalar; {equations}; output o: Length = a * (k + t + n);"
+        "struct M {{ a: Length, k: Scalar }} input t: Angle; unknown n: Scalar; {equations}; output o: Length = a * \
+            (k + t + n);"
     )
 }

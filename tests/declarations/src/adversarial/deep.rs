@@ -112,7 +112,8 @@ pub(super) fn abbreviations_used_twice(random: &mut Random, n: usize) -> String 
         format!("let y{} = {value};", index + 1)
     });
     format!(
-        "struct M {{ a: Length }} input t: Angle; unknown x: Angle, y: Length; let y0 = a * cis(t); {lets} y{n} + a * cis(x) == vec2(y, a);"
+        "struct M {{ a: Length }} input t: Angle; unknown x: Angle, y: Length; let y0 = a * cis(t); {lets} y{n} + a \
+            * cis(x) == vec2(y, a);"
     )
 }
 

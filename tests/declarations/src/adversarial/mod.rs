@@ -92,14 +92,16 @@ families! {
 /// A mechanism with one equation for the unknown `u` of a length `a` and an angle `t`, whatever else there is to use.
 fn equation(left: &str, right: &str) -> String {
     format!(
-        "struct M {{ a: Length }} input t: Angle; unknown u: Length; {left} == {right}; output o: Length = a * cos(t) + u;"
+        "struct M {{ a: Length }} input t: Angle; unknown u: Length; {left} == {right}; output o: Length = a * \
+            cos(t) + u;"
     )
 }
 
 /// The same for an unknown number `n`.
 fn equation_of_numbers(left: &str, right: &str) -> String {
     format!(
-        "struct M {{ a: Length, k: Scalar }} input t: Angle; unknown n: Scalar; {left} == {right}; output o: Length = a * cos(t) + k * n * a;"
+        "struct M {{ a: Length, k: Scalar }} input t: Angle; unknown n: Scalar; {left} == {right}; output o: Length \
+            = a * cos(t) + k * n * a;"
     )
 }
 

@@ -89,7 +89,8 @@ pub(super) fn unusual_names(random: &mut Random, n: usize) -> String {
     let sum = repeated(others.len(), " + ", |index| others[index].clone());
     let last = if others.is_empty() { a.clone() } else { sum };
     format!(
-        "pub struct {mechanism} {{ pub {a}: Length{}{fields} }} input {t}: Angle; unknown {u}: Angle, {s}: Length; {a} * cis({t}) + ({last}) * cis({u}) == vec2({s}, 0);",
+        "pub struct {mechanism} {{ pub {a}: Length{}{fields} }} input {t}: Angle; unknown {u}: Angle, {s}: Length; \
+            {a} * cis({t}) + ({last}) * cis({u}) == vec2({s}, 0);",
         if fields.is_empty() { "" } else { ", " }
     )
 }
@@ -102,7 +103,8 @@ pub(super) fn forbidden_names(random: &mut Random, n: usize) -> String {
         *name[place] = names::forbidden(random);
     }
     format!(
-        "struct {mechanism} {{ {a}: Length }} input {t}: Angle; unknown {u}: Angle, {s}: Length; let l = {a} * cis({t}); l + {a} * cis({u}) == vec2({s}, 0); output {u}: Length = {s};"
+        "struct {mechanism} {{ {a}: Length }} input {t}: Angle; unknown {u}: Angle, {s}: Length; let l = {a} * \
+            cis({t}); l + {a} * cis({u}) == vec2({s}, 0); output {u}: Length = {s};"
     )
 }
 
@@ -126,7 +128,8 @@ pub(super) fn nothing_said(random: &mut Random, n: usize) -> String {
     })
 }
 
-const TOKENS: &str = "for for frame {a==b;} [(a,b)] (a,b) struct M a b t u Length Angle Point input unknown let output order with test where in ; ; ; , , : : = == == + - \
+const TOKENS: &str = "for for frame {a==b;} [(a,b)] (a,b) struct M a b t u Length Angle Point input unknown let \
+    output order with test where in ; ; ; , , : : = == == + - \
     * / < > .. ..= . :: # ! & ? | sin cis vec3 rot powi PI x 1 2.5 1e308 'a \"s\" () (a) {} []";
 
 pub(super) fn tokens_at_random(random: &mut Random, n: usize) -> String {
@@ -242,12 +245,15 @@ pub(super) fn documentation_and_attributes(random: &mut Random, n: usize) -> Str
     };
     let [a, b, c, d, e, f, g] = std::array::from_fn(|_| marks());
     format!(
-        "{a} struct M {{ {b} a: Length, {c} }} {d} input {e} t: Angle; unknown u: {f} Length; u == a * sin(t); {g} output o: Length = u;"
+        "{a} struct M {{ {b} a: Length, {c} }} {d} input {e} t: Angle; unknown u: {f} Length; u == a * sin(t); {g} \
+            output o: Length = u;"
     )
 }
 
 pub(super) fn one_name_for_all(random: &mut Random, n: usize) -> String {
-    let mut text = "struct M { a: Length, b: Length } input t: Angle; unknown u: Length, v: Length; let l = a * t; u == l + b; v == u; output o: Length = v;".to_owned();
+    let mut text = "struct M { a: Length, b: Length } input t: Angle; unknown u: Length, v: Length; let l = a * t; u \
+        == l + b; v == u; output o: Length = v;"
+        .to_owned();
     let names = ["a", "b", "t", "u", "v", "l", "o", "M"];
     for _ in 0..n {
         let (old, new) = (*random.pick(&names), *random.pick(&names));

@@ -19,7 +19,8 @@ pub(super) fn serial_arm(random: &mut Random, n: usize) -> String {
     });
     let sum = repeated(n, " + ", |index| format!("r{index} * p{index}"));
     format!(
-        "struct M {{ {fields} }} input {inputs}; unknown x: Length, y: Length, z: Length; {lets} vec3(x, y, z) == {sum}; order = {order}; {sensitivities}"
+        "struct M {{ {fields} }} input {inputs}; unknown x: Length, y: Length, z: Length; {lets} vec3(x, y, z) == \
+            {sum}; order = {order}; {sensitivities}"
     )
 }
 
@@ -39,7 +40,8 @@ pub(super) fn four_bars_in_series(random: &mut Random, n: usize) -> String {
         format!("r{index} * cis(v{index}) + c{index} * cis(u{index}) == g{index} + r{next} * cis(v{next});")
     });
     format!(
-        "struct M {{ r0: Length, {fields} }} input v0: Angle; unknown {unknowns}; {loops} order = {order}; {sensitivities}"
+        "struct M {{ r0: Length, {fields} }} input v0: Angle; unknown {unknowns}; {loops} order = {order}; \
+            {sensitivities}"
     )
 }
 
@@ -125,7 +127,8 @@ pub(super) fn many_outputs(random: &mut Random, n: usize) -> String {
         _ => format!("output o{index}: Point3 = rot_x(u + {index}) * vec3(a, b, s);"),
     });
     format!(
-        "struct M {{ a: Length, b: Length }} input t: Angle; unknown u: Angle, s: Length; a * cis(t) + b * cis(u) == vec2(s, 0); {outputs}"
+        "struct M {{ a: Length, b: Length }} input t: Angle; unknown u: Angle, s: Length; a * cis(t) + b * cis(u) == \
+            vec2(s, 0); {outputs}"
     )
 }
 
@@ -208,6 +211,7 @@ pub(super) fn sensitivities_of_all_orders(random: &mut Random, n: usize) -> Stri
         "b * sin(u) == a * sin(t); s == a * cos(t) + b * cos(u) + c",
     ]);
     format!(
-        "struct M {{ a: Length, b: Length, c: Length }} input t: Angle; unknown u: Angle, s: Length; {closure}; order = {n}; with sensitivities;"
+        "struct M {{ a: Length, b: Length, c: Length }} input t: Angle; unknown u: Angle, s: Length; {closure}; \
+            order = {n}; with sensitivities;"
     )
 }

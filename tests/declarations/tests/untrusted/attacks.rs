@@ -109,7 +109,8 @@ pub(crate) fn all() -> Vec<(&'static str, String)> {
             let fields = repeated(1_200, |index| format!("k{index}: Scalar,"));
             let sum = repeated(1_200, |index| format!("+sin(k{index})"));
             format!(
-                "struct M {{ {fields} }} input t: Angle; unknown u: Scalar; u == t*({sum}); order = 12; with sensitivities;"
+                "struct M {{ {fields} }} input t: Angle; unknown u: Scalar; u == t*({sum}); order = 12; with \
+                    sensitivities;"
             )
         }),
         ("a power of a sum", {

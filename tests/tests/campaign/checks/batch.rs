@@ -173,7 +173,8 @@ impl Campaign {
                 if error > ALLOWED {
                     let name = self.topology.description().unknowns[place].name;
                     let what = format!(
-                        "{vectors:?}: order {order} of {name} is {found:e} for {expected:e}, {error:.1} units; condition {:e}",
+                        "{vectors:?}: order {order} of {name} is {found:e} for {expected:e}, {error:.1} units; \
+                            condition {:e}",
                         units.condition
                     );
                     self.find("batch", what, &solved.problem, &solved.assembly);

@@ -62,7 +62,10 @@ impl Server {
             &json!({
                 "processId": null,
                 "rootUri": uri(&folder),
-                "capabilities": { "experimental": { "serverStatusNotification": true }, "textDocument": { "diagnostic": {} } },
+                "capabilities": {
+                    "experimental": { "serverStatusNotification": true },
+                    "textDocument": { "diagnostic": {} },
+                },
                 "initializationOptions": {
                     "checkOnSave": false,
                     "cachePriming": { "enable": false },
