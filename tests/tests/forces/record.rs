@@ -214,19 +214,16 @@ pub(super) fn recorded() -> Result<String, fmt::Error> {
     "Bodies are cut free, and Newton's and Euler's equations are solved in Taylor series of 77 digits.",
     "Given numbers are the nearest of double precision. Units: m, kg, s, N, rad.",
     "Points and vectors are given by their coordinates. The motion is that of the crank: angle, speed, up to snap.",
-    "A centre lies in the frame of its body, whose first axis leads from its first joint to its second one, \
-     or along x.",
-    "In space, its third joint lies on the side of the second axis. Inertia is about the centre, along these axes: one",
-    "moment in the plane, and across the line of a rod; else the entries xx, yy, zz, xy, xz and yz of the tensor.",
+    "A centre lies in the frame of its body, whose first axis leads from its first joint to its second one, or along",
+    "x. In space, its third joint lies on the side of the second axis. Inertia is about the centre, along these axes:",
+    "one moment in the plane, and across the line of a rod; else the entries xx, yy, zz, xy, xz and yz of the tensor.",
     "Bodies with two points in common have a hinge, with one a ball; a hinge with one is listed with its axis.",
-    "Of a four-bar linkage, the knee is at the left of the line from the pin to the pivot. Of the linkage RSSR, \
-     the ball",
-    "would move away from the pin if phi grew alone; of RSSP, the block is as far along the rail as the rod lets it.",
-    "A force acts on the body that is named, and the opposite one on its neighbour. The moment is that \
-     about the joint:",
-    "that of friction in a pin, across the axis of a hinge, and that with which a guide keeps its slider from turning.",
-    "A condition is the size of a number plus its change with each given number: a careful calculation in double",
-    "precision is off by a few times 2.2e-16 of it."
+    "Of a four-bar linkage, the knee is at the left of the line from the pin to the pivot. Of the linkage RSSR, the",
+    "ball would move away from the pin if phi grew alone; of RSSP, the block is as far along the rail as the rod lets",
+    "it. A force acts on the body that is named, and the opposite one on its neighbour. The moment is that about the",
+    "joint: that of friction in a pin, across the axis of a hinge, and that with which a guide keeps its slider from",
+    "turning. A condition is the size of a number plus its change with each given number: a careful calculation in",
+    "double precision is off by a few times 2.2e-16 of it."
   ],
   "cases": [
 "#,
