@@ -142,21 +142,14 @@ fn tables(names: &Names) -> Tables<'_> {
 
 fn quantity(quantity: &lowered::DescribedQuantity) -> Quantity<'_> {
     let (name, text) = (quantity.name.as_str(), quantity.text.as_str());
-    let described = match quantity.dimension {
+    let mut described = match quantity.dimension {
         Dimension::Angle => Quantity::angle(name, text),
         Dimension::Scalar => Quantity::scalar(name, text),
         _ => Quantity::length(name, text),
     };
-    let described = if quantity.has_range {
-        described.with_range()
-    } else {
-        described
-    };
-    if quantity.is_direction {
-        described.as_direction()
-    } else {
-        described
-    }
+    described.has_range = quantity.has_range;
+    described.is_direction = quantity.is_direction;
+    described
 }
 
 impl std::fmt::Debug for OwnedDescription {

@@ -22,7 +22,7 @@ const byButton = createAsking(startWorker, module);
 const board = createBoard(createAsking(startWorker, module), drawn);
 /** The name of the mechanism that moves, in small letters, for files. */
 let fileName = "mechanism";
-/** The last text without mistakes, its loads, and the text with loads to begin with; null without them. */
+/** The last text without mistakes, and its loads or the text with loads to begin with; null without them. */
 let loads = { of: "", own: null, begun: null };
 
 const places = { editor: part("editor"), mistakes: part("mistakes"), moving: part("moving") };
@@ -41,8 +41,9 @@ function drawn(text, before) {
 }
 
 async function understood(text, outline) {
-  loads = { of: text, own: loadsOf(text, outline), begun: withFirstLoads(text, outline) };
-  part("add-loads").hidden = loads.own !== null || loads.begun === null;
+  const own = loadsOf(text, outline);
+  loads = { of: text, own, begun: own === null ? withFirstLoads(text, outline) : null };
+  part("add-loads").hidden = loads.begun === null;
   history.replaceState(null, "", `#${await addressOf(text, board.drawingOf(text))}`);
 }
 

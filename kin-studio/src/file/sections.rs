@@ -205,8 +205,11 @@ impl Sections {
 
     /// The bytes of the first word of a section, if the file has the section.
     pub(crate) fn word_of(&self, name: &str) -> Option<Range<usize>> {
-        let section = self.spans.iter().find(|section| section.name == name);
-        section.map(|section| section.word.clone())
+        self.section(name).map(|section| section.word.clone())
+    }
+
+    fn section(&self, name: &str) -> Option<&Section> {
+        self.spans.iter().find(|section| section.name == name)
     }
 
     /// The entries of a section.
@@ -223,10 +226,7 @@ impl Sections {
     pub(crate) fn named(&self, section: &str, name: &str) -> Range<usize> {
         let names = self.entries(section).iter().filter_map(|entry| entry.words.last());
         let named = names.filter(|word| word.text == name).map(|word| &word.range).next();
-        let whole = || {
-            let section = self.spans.iter().find(|one| one.name == section);
-            section.map(|section| &section.whole)
-        };
+        let whole = || self.section(section).map(|section| &section.whole);
         named.or_else(whole).cloned().unwrap_or_default()
     }
 
