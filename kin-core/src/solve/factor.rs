@@ -29,6 +29,8 @@ pub struct Factors<T, const N: usize> {
     entries: [[T; N]; N],
     rows: [FactorRow; N],
     elimination: Elimination,
+    /// The largest sum of magnitudes along a row of the scaled matrix.
+    norm: f64,
 }
 
 /// What was done with a row of a matrix, and with the column of the same number, to find its triangular factors.
@@ -49,8 +51,6 @@ pub struct FactorRow {
 pub struct Elimination {
     /// Whether an odd number of pairs of rows was exchanged.
     pub(crate) is_odd: bool,
-    /// The largest sum of magnitudes along a row of the scaled matrix.
-    pub(super) norm: f64,
 }
 
 /// Factorises a matrix, given row by row, into triangular factors.
@@ -77,10 +77,12 @@ pub struct Elimination {
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
     let (mut entries, mut rows) = (matrix, [FactorRow::default(); N]);
     let elimination = factor_in(entries.as_flattened_mut(), &mut rows)?;
+    let norm = scaled_norm(matrix.map(|row| row.map(Scalar::leading)).as_flattened(), &rows);
     Ok(Factors {
         entries,
         rows,
         elimination,
+        norm,
     })
 }
 
@@ -95,6 +97,15 @@ pub fn factor_in<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) -> Result
     T::factored(entries, rows)
 }
 
+/// [`factor_in`] for a number that holds one pose, and for one that keeps its poses apart.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn checked_factors<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
+    if !entries.iter().all(|entry| entry.is_finite()) {
+        return Err(Failure::not_finite(QUANTITY));
+    }
+    factor_to(entries, rows, T::EPSILON)
+}
+
 /// [`Factors::solve`] with factors that [`factor_in`] has found.
 #[doc(hidden)]
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -102,18 +113,15 @@ pub fn substitute_in<T: Scalar>(entries: &[T], rows: &[FactorRow], right: &[T], 
     T::substituted(entries, rows, right, solution);
 }
 
-/// [`factor_in`] for entries known to a relative error of `epsilon`. Their type may be more precise than that.
+/// [`factor_in`] for entries that are finite and known to a relative error of `epsilon`. Their type may be more precise
+/// than that.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn factor_to<T: Scalar>(
     entries: &mut [T],
     rows: &mut [FactorRow],
     epsilon: f64,
 ) -> Result<Elimination, Failure> {
-    if !entries.iter().all(|entry| entry.is_finite()) {
-        return Err(Failure::not_finite(QUANTITY));
-    }
     level(entries, rows);
-    let norm = row_norm(entries, rows.len());
     let (is_odd, is_singular) = eliminate(entries, rows, epsilon);
     if is_singular {
         let determinant = Determinant::of(entries, rows, is_odd).value().leading();
@@ -123,7 +131,7 @@ pub(super) fn factor_to<T: Scalar>(
             Failure::not_finite(QUANTITY)
         });
     }
-    Ok(Elimination { is_odd, norm })
+    Ok(Elimination { is_odd })
 }
 
 /// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
@@ -189,7 +197,7 @@ fn eliminate<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow], epsilon: f64)
             for (entry, above) in rest.iter_mut().zip(&pivot_row[step + 1..]) {
                 *entry = *entry - multiplier * *above;
             }
-            largest = largest.max(largest_of(rest.iter()));
+            largest = larger(largest, largest_of(rest.iter()));
         }
     }
     (is_odd, is_singular)
@@ -273,8 +281,13 @@ impl<T: Scalar> Determinant<T> {
 pub(super) type Scratch<'m> = [&'m mut [f64]; 3];
 
 /// See [`Factors::condition`].
-pub(super) fn condition(entries: &[f64], rows: &[FactorRow], norm: f64, scratch: Scratch<'_>) -> f64 {
-    norm * largest_row_sum(entries, rows, |_| 1.0, |_| 1.0, scratch)
+pub(super) fn condition(entries: &[f64], rows: &[FactorRow], matrix: &[f64], scratch: Scratch<'_>) -> f64 {
+    scaled_norm(matrix, rows) * inverse_norm(entries, rows, scratch)
+}
+
+/// The largest row sum of the inverse of the scaled matrix.
+fn inverse_norm(entries: &[f64], rows: &[FactorRow], scratch: Scratch<'_>) -> f64 {
+    largest_row_sum(entries, rows, |_| 1.0, |_| 1.0, scratch)
 }
 
 /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: the factor by which relative rounding
@@ -335,19 +348,31 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     pub fn condition(&self) -> f64 {
         let real = self.entries.map(|row| row.map(Scalar::leading));
         let scratch: Scratch<'_> = [&mut [0.0; N], &mut [0.0; N], &mut [0.0; N]];
-        condition(real.as_flattened(), &self.rows, self.elimination.norm, scratch)
+        self.norm * inverse_norm(real.as_flattened(), &self.rows, scratch)
     }
 }
 
-fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
-    entries.fold(0.0, |largest, entry| entry.leading().abs().max(largest))
+/// The larger of two numbers, the first if one of them is not a number. This is one instruction, unlike [`f64::max`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn larger(one: f64, other: f64) -> f64 {
+    if other > one { other } else { one }
 }
 
-fn row_norm<T: Scalar>(entries: &[T], count: usize) -> f64 {
-    entries
-        .chunks_exact(count.max(1))
-        .map(|row| row.iter().map(|entry| entry.leading().abs()).sum())
-        .fold(0.0, f64::max)
+fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
+    entries.fold(0.0, |largest, entry| larger(largest, entry.leading().abs()))
+}
+
+/// The largest sum of magnitudes along a row of a matrix, after its rows and columns have been scaled.
+fn scaled_norm(matrix: &[f64], rows: &[FactorRow]) -> f64 {
+    let count = rows.len();
+    let sum = |row: usize| -> f64 {
+        let scaled = (0..count).map(|column| {
+            let entry = matrix[row * count + column] * power_of_two::<f64>(rows[row].row_exponent);
+            (entry * power_of_two::<f64>(rows[column].column_exponent)).abs()
+        });
+        scaled.sum()
+    };
+    (0..count).map(sum).fold(0.0, f64::max)
 }
 
 /// The exponent of the power of two that scales the largest entry to between 1 and 2.

@@ -3,7 +3,8 @@
 use core::array;
 
 use super::factor::{
-    Determinant, FactorRow, amplification, condition, factor_in, factor_to, power_of_two, substitute, substitute_in,
+    Determinant, FactorRow, amplification, condition, factor_in, factor_to, larger, power_of_two, substitute,
+    substitute_in,
 };
 use crate::failure::Failure;
 use crate::solve::Scalar;
@@ -22,6 +23,14 @@ pub(crate) const LINEAR_STEP: f64 = 4096.0;
 pub(crate) const TRIALS: u32 = 20;
 /// The smallest part of a correction that a forecast may ask for.
 pub(crate) const SMALLEST_PART: f64 = 1e-5;
+/// The largest part of the correction before that a correction may be for the next step to be a full one. The measure
+/// of P. Deuflhard, h, is then at most 1.
+pub(crate) const CONVERGING: f64 = 0.5;
+/// The largest part of the correction before from which the next correction is foretold: they fall quadratically, and
+/// the determinant changes by less than a thirtieth over the last one.
+pub(crate) const QUADRATIC: f64 = 0.125;
+/// The correction, in units of ε, that is foretold where an iteration ends.
+pub(crate) const NEGLIGIBLE: f64 = 0.0625;
 
 /// The root of as many equations as unknowns near a guess, found by Newton's method.
 ///
@@ -35,6 +44,10 @@ pub(crate) const SMALLEST_PART: f64 = 1e-5;
 /// correction disappears in rounding: it is below ε times the unknown or its size, or it no longer falls and rounding,
 /// magnified by the condition of the Jacobian, explains it. The method takes at most 64 steps, and shortens each at
 /// most 20 times.
+///
+/// A correction that is at most half of the one before shows that the full step is in order, without a test. Once
+/// corrections fall to an eighth, each is a constant times the square of the one before. So the iteration ends with the
+/// correction after which the next one would disappear, without computing it.
 ///
 /// All decisions and calculations so far use real parts. If the number carries derivatives up to order n, log₂(n + 1)
 /// plain steps then add them: each step doubles the number of correct orders.
@@ -87,18 +100,11 @@ fn newton_of<T: Scalar, const N: usize>(
     // any number will do, and a constant of a number that records would be recorded
     let any = guess.first().copied().unwrap_or_else(|| T::constant(0.0));
     // an array for each, so that a compiler can keep it in registers
-    let (mut first, mut second) = ([[any; N]; N], [[any; N]; N]);
-    let (mut third, mut fourth, mut fifth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
+    let mut first = [[any; N]; N];
+    let (mut second, mut third, mut fourth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
     let memory = NewtonMemory {
-        vectors: [
-            &mut [any; N],
-            &mut [any; N],
-            &mut [any; N],
-            &mut [any; N],
-            &mut [any; N],
-            &mut [any; N],
-        ],
-        matrices: [first.as_flattened_mut(), second.as_flattened_mut()],
+        vectors: [&mut [any; N], &mut [any; N], &mut [any; N], &mut [any; N]],
+        matrix: first.as_flattened_mut(),
         real_vectors: [
             &mut [0.0; N],
             &mut [0.0; N],
@@ -111,11 +117,11 @@ fn newton_of<T: Scalar, const N: usize>(
             &mut [0.0; N],
         ],
         real_matrices: [
+            second.as_flattened_mut(),
             third.as_flattened_mut(),
             fourth.as_flattened_mut(),
-            fifth.as_flattened_mut(),
         ],
-        rows: [&mut [FactorRow::default(); N], &mut [FactorRow::default(); N]],
+        rows: &mut [FactorRow::default(); N],
     };
     let evaluate = |unknowns: &[T], residuals: &mut [T], jacobian: &mut [T]| {
         let mut values = guess;
@@ -162,11 +168,11 @@ impl<T, F: FnMut(&[T], &mut [T], &mut [T])> Equations<T> for F {
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct NewtonMemory<'m, T> {
-    pub(crate) vectors: [&'m mut [T]; 6],
-    pub(crate) matrices: [&'m mut [T]; 2],
+    pub(crate) vectors: [&'m mut [T]; 4],
+    pub(crate) matrix: &'m mut [T],
     real_vectors: [&'m mut [f64]; 9],
     real_matrices: [&'m mut [f64]; 3],
-    pub(crate) rows: [&'m mut [FactorRow]; 2],
+    pub(crate) rows: &'m mut [FactorRow],
 }
 
 impl<'m, T> NewtonMemory<'m, T> {
@@ -174,7 +180,7 @@ impl<'m, T> NewtonMemory<'m, T> {
     #[must_use]
     pub const fn lengths(unknowns: usize) -> [usize; 3] {
         let (vector, matrix) = (unknowns, unknowns * unknowns);
-        [6 * vector + 2 * matrix, 9 * vector + 3 * matrix, 2 * vector]
+        [4 * vector + matrix, 9 * vector + 3 * matrix, vector]
     }
 
     /// Memory of these [lengths](Self::lengths) or more, with any content; `None` if it is less.
@@ -185,14 +191,14 @@ impl<'m, T> NewtonMemory<'m, T> {
             return None;
         }
         let (vector, matrix) = (unknowns, unknowns * unknowns);
-        let (vectors, matrices) = numbers.split_at_mut(6 * vector);
+        let (vectors, numbers) = numbers.split_at_mut(4 * vector);
         let (real_vectors, real_matrices) = reals.split_at_mut(9 * vector);
         Some(Self {
             vectors: parts(vectors, vector),
-            matrices: parts(matrices, matrix),
+            matrix: &mut numbers[..matrix],
             real_vectors: parts(real_vectors, vector),
             real_matrices: parts(real_matrices, matrix),
-            rows: parts(rows, vector),
+            rows: &mut rows[..vector],
         })
     }
 }
@@ -233,8 +239,7 @@ pub(crate) fn damped_root<T: Scalar>(
     mut equations: impl Equations<T>,
 ) -> Result<(), Failure> {
     let [residuals, other, ..] = memory.vectors;
-    let [jacobian, _] = memory.matrices;
-    let [rows, _] = memory.rows;
+    let (jacobian, rows) = (memory.matrix, memory.rows);
     let real = RealMemory {
         vectors: memory.real_vectors,
         matrices: memory.real_matrices,
@@ -270,12 +275,13 @@ struct RealMemory<'m> {
     rows: &'m mut [FactorRow],
 }
 
-/// The step before: its length and its damping, and the determinant where it began.
+/// The step before: its length and its damping, the determinant where it began, and whether it was tested.
 #[derive(Clone, Copy)]
 struct Before {
     length: f64,
     part: f64,
     determinant: Determinant<f64>,
+    is_tested: bool,
 }
 
 /// The root in real numbers. Residuals, Jacobian and corrections are in sizes of the unknowns.
@@ -334,7 +340,7 @@ fn real_root<T: Scalar>(
         let not_converged = |residuals: &[f64], factors: &[f64], rows: &[FactorRow], scratch| Failure::NotConverged {
             residual: greatest(residuals),
             iterations: iteration,
-            condition: condition(factors, rows, elimination.norm, scratch),
+            condition: condition(factors, rows, jacobian, scratch),
         };
         if iteration == ITERATIONS {
             return Err(not_converged(
@@ -355,8 +361,8 @@ fn real_root<T: Scalar>(
             ));
         }
         let is_lost = |index: usize| {
-            let size = unknowns[index].real().abs() / units[index];
-            correction[index].abs() <= T::EPSILON * size.max(1.0)
+            let size = larger(units[index], unknowns[index].real().abs());
+            correction[index].abs() * units[index] <= T::EPSILON * size
         };
         let is_lost = (0..count).all(is_lost);
         let mut is_rounding = |unknowns: &[T]| {
@@ -370,18 +376,31 @@ fn real_root<T: Scalar>(
         };
         let is_stalled =
             before.is_some_and(|step| step.part == 1.0 && length >= 0.5 * step.length) && is_rounding(unknowns);
+        // How the correction compares with the one before, if that was taken in full.
+        let contraction = match before {
+            Some(step) if step.part == 1.0 => length / step.length,
+            _ => f64::INFINITY,
+        };
+        let is_foretold = contraction <= QUADRATIC && contraction * contraction * length <= NEGLIGIBLE * T::EPSILON;
+        if is_lost || is_foretold {
+            moved(unknowns, correction, 1.0, units, trial);
+            unknowns.copy_from_slice(trial);
+        }
+        if is_foretold {
+            return Ok(());
+        }
         if is_lost || is_stalled {
-            if is_lost {
-                moved(unknowns, correction, 1.0, units, trial);
-                unknowns.copy_from_slice(trial);
-            }
             return distinct(before.map(|step| step.determinant), determinant);
         }
 
-        let foreseen = before.map_or(1.0, |step| {
-            let fall = distance(before_expected.iter().copied(), correction);
-            step.part * step.length * greatest(before_expected) / (fall * length)
-        });
+        let is_converging = contraction <= CONVERGING;
+        let foreseen = match before {
+            Some(step) if step.is_tested && !is_converging => {
+                let fall = distance(before_expected.iter().copied(), correction);
+                step.part * step.length * greatest(before_expected) / (fall * length)
+            }
+            _ => 1.0,
+        };
         // A quotient of zero by zero means a perfect forecast.
         let foreseen = if foreseen < 1.0 {
             foreseen.max(SMALLEST_PART)
@@ -389,12 +408,17 @@ fn real_root<T: Scalar>(
             1.0
         };
         let mut part = foreseen.min(limit / length);
-        let mut is_accepted = false;
+        let (mut is_accepted, mut is_tested) = (false, true);
         for _ in 0..TRIALS {
             moved(unknowns, correction, part, units, trial);
             let mut advice = 0.5 * part;
             equations.evaluate(trial, typed_residuals, typed_jacobian);
             if are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian) {
+                is_tested = !(is_converging && part == 1.0);
+                if !is_tested {
+                    is_accepted = true;
+                    break;
+                }
                 corrected(factors, rows, next_residuals, expected);
                 let fall = greatest(expected) / length;
                 if fall < 1.0 - 0.25 * part {
@@ -418,17 +442,20 @@ fn real_root<T: Scalar>(
             part = advice;
         }
         if is_accepted {
-            // If the equations are nearly linear over a step, the next step may be longer.
-            let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
-            if distance(undamped, expected) <= 0.25 * part * length {
-                limit *= 2.0;
+            if is_tested {
+                // If the equations are nearly linear over a step, the next step may be longer.
+                let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
+                if distance(undamped, expected) <= 0.25 * part * length {
+                    limit *= 2.0;
+                }
+                before_expected.copy_from_slice(expected);
             }
             before = Some(Before {
                 length,
                 part,
                 determinant,
+                is_tested,
             });
-            before_expected.copy_from_slice(expected);
             unknowns.copy_from_slice(trial);
             residuals.copy_from_slice(next_residuals);
         } else if ended.is_none() {

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::number::series::SeriesOf;
 use crate::number::{Changing, Number, real_parts};
 use crate::solve::check::{Check, Choose, Measure, Negative, RowMeasure, SameSide};
-use crate::solve::factor::{Elimination, FactorRow, factor_to, power_of_two, substitute};
+use crate::solve::factor::{Elimination, FactorRow, checked_factors, power_of_two, substitute};
 use crate::solve::newton::{Equations, NewtonMemory, damped_root};
 
 /// A number with which a mechanism can be solved: a [`Number`] that can also decide.
@@ -214,7 +214,7 @@ pub trait Scalar: Number {
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn factored(entries: &mut [Self], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
-        factor_to(entries, rows, Self::EPSILON)
+        checked_factors(entries, rows)
     }
 
     /// See [`solve::substitute_in`](crate::solve::substitute_in()).

@@ -1,8 +1,8 @@
 //! Newton's method in lanes: the ordinary method as long as it need not shorten its steps.
 //!
-//! A lane becomes NaN if its first step is too long, or if its corrections do not fall as a full step requires; the
-//! ordinary method, with its damping, decides about it. So a lane that converges has taken the steps of the ordinary
-//! method and reaches the same root.
+//! A lane becomes NaN if its first step is too long, or if its corrections do not fall as fast as full steps need; the
+//! ordinary method, with its tests and its damping, decides about it. So a lane that converges has taken the steps of
+//! the ordinary method and reaches the same root.
 
 #![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
 
@@ -12,18 +12,12 @@ use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{
-    Determinant, Equations, FIRST_STEP, FactorRow, LINEAR_STEP, NewtonMemory, Scalar, factor_in, substitute_in,
+    CONVERGING, Equations, FIRST_STEP, FactorRow, NEGLIGIBLE, NewtonMemory, QUADRATIC, Scalar, factor_in, substitute_in,
 };
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
 /// damped.
 const ITERATIONS: u32 = 12;
-
-/// A step that has been taken: its length, and the determinant where it began.
-struct NewtonStep<const W: usize, const FUSED: bool, E> {
-    length: Lanes<W, FUSED, E>,
-    determinant: Determinant<Lanes<W, FUSED, E>>,
-}
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
@@ -32,15 +26,11 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     memory: NewtonMemory<'_, Lanes<W, FUSED, E>>,
     mut equations: impl Equations<Lanes<W, FUSED, E>>,
 ) -> Result<(), Failure> {
-    let [residuals, correction, end, expected, from, root] = memory.vectors;
-    // The factors of the step before stay, with their rows.
-    let [factors, last_factors] = memory.matrices;
-    let [rows, last_rows] = memory.rows;
+    let [residuals, correction, end, root] = memory.vectors;
+    let (factors, rows) = (memory.matrix, memory.rows);
     root.fill(Lanes([E::nan(); W]));
     let mut pending = [true; W];
-    // The change of the determinant, as a part of itself, for each unit of length of a step.
-    let mut rate = [E::zero(); W];
-    let mut last: Option<NewtonStep<W, FUSED, E>> = None;
+    let mut previous: Option<Lanes<W, FUSED, E>> = None;
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
@@ -50,63 +40,38 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
                 *entry = *entry * *size;
             }
         }
-        let elimination = factor_in(factors, rows)?;
-        let determinant = Determinant::of(factors, rows, elimination.is_odd);
+        factor_in(factors, rows)?;
         corrected(factors, rows, residuals, correction);
         let length = largest(correction);
         for index in 0..point.len() {
             end[index] = point[index] + correction[index] * sizes[index];
         }
-        let mut previous = Lanes::constant(f64::INFINITY);
-        let mut ratio = Lanes::constant(1.0);
-        // The forecast of the length of the next full step is a quotient of these two.
-        let mut forecast = [Lanes::constant(1.0), Lanes::constant(0.0)];
-        if let Some(step) = &last {
-            corrected(last_factors, last_rows, residuals, expected);
-            let fall = largest(expected);
-            for (entry, correction) in expected.iter_mut().zip(&*correction) {
-                *entry = *entry - *correction;
-            }
-            previous = step.length;
-            forecast = [previous * fall, largest(expected) * length];
-            ratio = determinant.relative_to(step.determinant);
-            for lane in 0..W {
-                let change = (ratio.0[lane] - E::one()).size() / previous.0[lane];
-                rate[lane] = Float::max(rate[lane], change);
-                let (previous, fall) = (previous.0[lane], fall.0[lane]);
-                let falls = fall < E::of(0.75) * previous;
-                // A small correction that does not fall is rounding.
-                let ends = !falls && previous * previous <= E::of(LINEAR_STEP * E::EPSILON);
-                if pending[lane] && ends && is_distinct(ratio.0[lane], rate[lane] * previous) {
-                    arrive(root, if fall < previous { point } else { from }, lane);
-                }
-                pending[lane] &= falls;
-            }
-        }
         for lane in 0..W {
-            let lost = (0..point.len()).all(|index| {
+            let is_lost = (0..point.len()).all(|index| {
                 let size = point[index].0[lane].size() / sizes[index].0[lane];
                 correction[index].0[lane].size() <= E::of(E::EPSILON) * Float::max(size, E::one())
             });
-            let (length, previous) = (length.0[lane], previous.0[lane]);
-            let stalled = length >= E::of(0.5) * previous && length * length <= E::of(LINEAR_STEP * E::EPSILON);
-            if pending[lane] && (lost || stalled) {
-                pending[lane] = false;
-                if is_distinct(ratio.0[lane], rate[lane] * length) {
-                    arrive(root, if lost { end } else { point }, lane);
+            let length = length.0[lane];
+            let (is_root, is_full) = if let Some(previous) = &previous {
+                let contraction = length / previous.0[lane];
+                let next = contraction * contraction * length;
+                (
+                    contraction <= E::of(QUADRATIC) && (is_lost || next <= E::of(NEGLIGIBLE * E::EPSILON)),
+                    contraction <= E::of(CONVERGING),
+                )
+            } else {
+                (is_lost, length <= E::of(FIRST_STEP))
+            };
+            if pending[lane] && is_root {
+                for (root, end) in root.iter_mut().zip(&*end) {
+                    root.0[lane] = end.0[lane];
                 }
             }
-            let is_full = if last.is_some() {
-                forecast[0].0[lane] >= forecast[1].0[lane]
-            } else {
-                length <= E::of(FIRST_STEP)
-            };
-            pending[lane] &= is_full;
+            pending[lane] &= is_full && !is_root;
         }
         if !pending.contains(&true) {
             break;
         }
-        from.copy_from_slice(point);
         // Lanes that have finished keep their values.
         for (entry, end) in point.iter_mut().zip(&*end) {
             for lane in 0..W {
@@ -115,9 +80,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
                 }
             }
         }
-        last_factors.copy_from_slice(factors);
-        last_rows.copy_from_slice(rows);
-        last = Some(NewtonStep { length, determinant });
+        previous = Some(length);
     }
     point.copy_from_slice(root);
     let missing = root
@@ -125,28 +88,6 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
         .fold(Lanes::constant(0.0), |sum, entry| sum + *entry * Lanes::constant(0.0));
     verdicts::record(missing);
     Ok(())
-}
-
-/// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
-/// a quarter. Its last step differs from the one here, so an eighth of that would already be in doubt.
-///
-/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to
-/// one by chance, so the fastest change of all steps over the length of the last one counts as well.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
-    let allowed = E::of(0.03);
-    (ratio - E::one()).size() <= allowed && change <= allowed
-}
-
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn arrive<const W: usize, const FUSED: bool, E: Element>(
-    root: &mut [Lanes<W, FUSED, E>],
-    position: &[Lanes<W, FUSED, E>],
-    lane: usize,
-) {
-    for (root, position) in root.iter_mut().zip(position) {
-        root.0[lane] = position.0[lane];
-    }
 }
 
 /// The correction that removes the residuals.

@@ -6,7 +6,9 @@ use std::vec::Vec;
 
 use crate::number::elementary::constants as elementary;
 use crate::number::single;
-use crate::solve::{self, FIRST_STEP, ITERATIONS, LINEAR_STEP, SMALLEST_PART, TRIALS};
+use crate::solve::{
+    self, CONVERGING, FIRST_STEP, ITERATIONS, LINEAR_STEP, NEGLIGIBLE, QUADRATIC, SMALLEST_PART, TRIALS,
+};
 use crate::tape::NumberType;
 
 /// The texts that stand for names such as `@SINE@`.
@@ -54,6 +56,9 @@ impl ConstantTexts {
             ("FIRST_STEP", one(FIRST_STEP)),
             ("LINEAR_STEP", one(LINEAR_STEP)),
             ("SMALLEST_PART", one(SMALLEST_PART)),
+            ("CONVERGING", one(CONVERGING)),
+            ("QUADRATIC", one(QUADRATIC)),
+            ("NEGLIGIBLE", one(NEGLIGIBLE)),
             ("ITERATIONS", ITERATIONS.to_string()),
             ("TRIALS", TRIALS.to_string()),
         ]);

@@ -157,6 +157,7 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
     double previous = 0.0;
     double part = 0.0;
     double limit = @FIRST_STEP@;
+    int tested = 0;
     int outcome;
 
     *detail = 0.0;
@@ -179,6 +180,7 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
         kin_factors *const factors = &matrices[now];
         kin_factors *const other = &matrices[1 - now];
         double length;
+        double contraction = INFINITY;
         double foreseen = 1.0;
         int lost = 1;
         int accepted = 0;
@@ -190,10 +192,20 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
             return KIN_NOT_CONVERGED;
         }
         for (int index = 0; index < count; index++) {
-            const double size = fabs(point->unknowns[index]) / block->sizes[index];
-            if (!(fabs(correction[index]) <= DBL_EPSILON * (size > 1.0 ? size : 1.0))) {
+            const double size = fabs(point->unknowns[index]);
+            const double unit = block->sizes[index];
+            if (!(fabs(correction[index]) * unit <= DBL_EPSILON * (size > unit ? size : unit))) {
                 lost = 0;
             }
+        }
+        /* How the correction compares with the one before, if that was taken in full. */
+        if (iteration > 0 && part >= 1.0) {
+            contraction = length / previous;
+        }
+        if (contraction <= @QUADRATIC@ && contraction * contraction * length <= @NEGLIGIBLE@ * DBL_EPSILON) {
+            /* The next correction would disappear. */
+            kin_move(block, point->unknowns, correction, 1.0, next->unknowns);
+            return kin_distinct(count, next->unknowns, 0, factors, found, detail);
         }
         if (lost || (iteration > 0 && part >= 1.0 && length >= 0.5 * previous
                      && kin_is_rounding(block, length, point, factors))) {
@@ -203,7 +215,7 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
             return kin_distinct(count, lost ? next->unknowns : point->unknowns, iteration > 0 ? other : 0, factors,
                                 found, detail);
         }
-        if (iteration > 0) {
+        if (iteration > 0 && tested && !(contraction <= @CONVERGING@)) {
             const double distance = kin_distance(count, expected, 1.0, correction);
             const double forecast = part * previous * kin_largest(count, expected) / (distance * length);
             if (forecast < 1.0) {
@@ -215,11 +227,15 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
             double advice = 0.5 * part;
             kin_move(block, point->unknowns, correction, part, next->unknowns);
             if (kin_evaluate(block, next)) {
-                double fall;
+                double fall = 0.0;
                 double estimate;
-                kin_correction(count, factors, next->residuals, expected);
-                fall = kin_largest(count, expected) / length;
-                if (fall < 1.0 - 0.25 * part) {
+                /* A correction that has fallen enough shows that the full step is in order. */
+                tested = !(contraction <= @CONVERGING@ && part >= 1.0);
+                if (tested) {
+                    kin_correction(count, factors, next->residuals, expected);
+                    fall = kin_largest(count, expected) / length;
+                }
+                if (!tested || fall < 1.0 - 0.25 * part) {
                     accepted = 1;
                 } else if (kin_is_rounding(block, length, point, factors)) {
                     outcome = kin_factor_at(count, next, other, detail);
@@ -245,7 +261,7 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
             return KIN_NOT_CONVERGED;
         }
         /* If the equations are nearly linear over a step, the next step may be longer. */
-        if (kin_distance(count, expected, 1.0 - part, correction) <= 0.25 * part * length) {
+        if (tested && kin_distance(count, expected, 1.0 - part, correction) <= 0.25 * part * length) {
             limit = limit * 2.0;
         }
         previous = length;

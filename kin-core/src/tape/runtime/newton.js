@@ -109,7 +109,7 @@ function kinNewton(guess, sizes, equations) {
     return failed(factors.code, factors.detail);
   }
   let limit = @FIRST_STEP@;
-  /** @type {{length: number, part: number, expected: number[], factors: KinFactors} | undefined} */
+  /** @type {{length: number, part: number, expected: number[] | undefined, factors: KinFactors} | undefined} */
   let before;
   for (let iteration = 0; iteration < @ITERATIONS@; iteration++) {
     const from = point;
@@ -119,25 +119,38 @@ function kinNewton(guess, sizes, equations) {
       return failed("not converged", kinLargest(from.residuals));
     }
     const lost = correction.every(
-      (entry, index) => Math.abs(entry) <= Number.EPSILON * Math.max(1, Math.abs(from.unknowns[index]) / sizes[index]),
+      (entry, index) =>
+        Math.abs(entry) * sizes[index] <= Number.EPSILON * Math.max(sizes[index], Math.abs(from.unknowns[index])),
     );
+    // How the correction compares with the one before, if that was taken in full.
+    const contraction = before?.part === 1 ? length / before.length : Infinity;
+    if (contraction <= @QUADRATIC@ && contraction * contraction * length <= @NEGLIGIBLE@ * Number.EPSILON) {
+      // The next correction would disappear.
+      return kinDistinct(moved(from.unknowns, correction, 1), undefined, factors);
+    }
     const stalls = before !== undefined && before.part === 1 && length >= 0.5 * before.length;
     if (lost || (stalls && kinIsRounding(length, from, sizes, factors))) {
       return kinDistinct(lost ? moved(from.unknowns, correction, 1) : from.unknowns, before?.factors, factors);
     }
+    const converging = contraction <= @CONVERGING@;
     let foreseen = 1;
-    if (before) {
+    if (before?.expected && !converging) {
       const { part, expected } = before;
       foreseen = (part * before.length * kinLargest(expected)) / (kinDistance(expected, 1, correction) * length);
       foreseen = foreseen < 1 ? Math.max(foreseen, @SMALLEST_PART@) : 1;
     }
     let part = Math.min(foreseen, limit / length);
-    /** @type {[KinPoint, number[]] | undefined} */
+    /** @type {[KinPoint, number[] | undefined] | undefined} */
     let accepted;
     for (let trial = 0; trial < @TRIALS@; trial++) {
       const unknowns = moved(from.unknowns, correction, part);
       let advice = 0.5 * part;
       const next = at(unknowns);
+      if (next && converging && part === 1) {
+        // A correction that has fallen enough shows that the full step is in order.
+        accepted = [next, undefined];
+        break;
+      }
       if (next) {
         const expected = corrected(factors, next.residuals);
         const fall = kinLargest(expected) / length;
@@ -165,7 +178,7 @@ function kinNewton(guess, sizes, equations) {
     }
     const [next, expected] = accepted;
     // If the equations are nearly linear over a step, the next step may be longer.
-    if (kinDistance(expected, 1 - part, correction) <= 0.25 * part * length) {
+    if (expected && kinDistance(expected, 1 - part, correction) <= 0.25 * part * length) {
       limit *= 2;
     }
     before = { length, part, expected, factors };

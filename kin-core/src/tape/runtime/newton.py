@@ -79,12 +79,14 @@ def _newton(
     search.end(~finite, _NOT_FINITE, 0.0)
     pending = finite & wanted
     previous, before, part, expected = np.zeros(len(pending)), None, np.ones(len(pending)), guess
+    tested = np.ones(len(pending), dtype=bool)
     limit = np.full(len(pending), @FIRST_STEP@)
     for iteration in range(@ITERATIONS@ + 1):
         # Poses that have ended are left out.
         search.keep(pending)
         unknowns, residuals, jacobian = unknowns[:, pending], residuals[:, pending], jacobian[:, :, pending]
         previous, part, expected, limit = previous[pending], part[pending], expected[:, pending], limit[pending]
+        tested = tested[pending]
         if before is not None:
             before.keep(pending)
         if len(search.left) == 0:
@@ -100,8 +102,17 @@ def _newton(
         lengthy = ~broken & ~np.isfinite(length)
         search.end(lengthy, _NOT_CONVERGED, _largest(residuals))
         pending = ~broken & ~lengthy
-        size = np.maximum(1.0, np.abs(unknowns) / search.sizes)
-        lost = pending & np.all(np.abs(correction) <= _EPSILON * size, axis=0)
+        size = np.maximum(search.sizes, np.abs(unknowns))
+        lost = pending & np.all(np.abs(correction) * search.sizes <= _EPSILON * size, axis=0)
+        # How the correction compares with the one before, if that was taken in full.
+        contraction = np.full(len(pending), np.inf)
+        if before is not None:
+            contraction = np.where(part == 1.0, length / previous, np.inf)
+        # The next correction would disappear.
+        small = contraction * contraction * length <= @NEGLIGIBLE@ * _EPSILON
+        foretold = pending & (contraction <= @QUADRATIC@) & small
+        search.distinct(foretold, unknowns + correction * search.sizes, None, factors)
+        pending, lost = pending & ~foretold, lost & ~foretold
         rounding = _is_rounding(length, unknowns, jacobian, search.sizes, factors)
         stalled = np.zeros_like(lost)
         if before is not None:
@@ -109,10 +120,12 @@ def _newton(
         search.distinct(lost, unknowns + correction * search.sizes, before, factors)
         search.distinct(stalled, unknowns, before, factors)
         pending = pending & ~lost & ~stalled
+        converging = contraction <= @CONVERGING@
         foreseen = np.ones(len(pending))
         if before is not None:
             foreseen = part * previous * _largest(expected) / (_largest(expected - correction) * length)
-            foreseen = np.where(foreseen < 1.0, np.maximum(foreseen, @SMALLEST_PART@), 1.0)
+            shortens = tested & ~converging & (foreseen < 1.0)
+            foreseen = np.where(shortens, np.maximum(foreseen, @SMALLEST_PART@), 1.0)
         part = np.minimum(foreseen, limit / length)
 
         trying, next_unknowns = pending, unknowns
@@ -125,7 +138,10 @@ def _newton(
             there_residuals, there_jacobian, finite = search.at(trial)
             forecast = -factors.solve(there_residuals)
             fall = _largest(forecast) / length
-            accepted = trying & finite & (fall < 1.0 - 0.25 * part)
+            # A correction that has fallen enough shows that the full step is in order.
+            untested = converging & (part == 1.0)
+            accepted = trying & finite & (untested | (fall < 1.0 - 0.25 * part))
+            tested = np.where(accepted, ~untested, tested)
             next_unknowns = np.where(accepted, trial, next_unknowns)
             expected = np.where(accepted, forecast, expected)
             next_residuals = np.where(accepted, there_residuals, next_residuals)
@@ -147,7 +163,7 @@ def _newton(
         pending = pending & ~trying
         # If the equations are nearly linear over a step, the next step may be longer.
         linear = _largest(expected - (1.0 - part) * correction) <= 0.25 * part * length
-        limit = np.where(linear, limit * 2.0, limit)
+        limit = np.where(tested & linear, limit * 2.0, limit)
         previous, before = length, factors
         unknowns, residuals, jacobian = next_unknowns, next_residuals, next_jacobian
     return search.root, search.outcome, search.detail
