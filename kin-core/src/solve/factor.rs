@@ -391,6 +391,7 @@ pub(crate) fn range<T: Scalar>() -> i32 {
 }
 
 /// The exponent of the largest power of two that does not exceed a positive number.
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn exponent_of(value: f64) -> i32 {
     let field = (value.to_bits() >> 52) & 0x7ff;
     i32::try_from(field).map_or(0, |field| field - 1023)

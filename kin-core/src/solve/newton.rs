@@ -103,7 +103,7 @@ fn newton_of<T: Scalar, const N: usize>(
     let mut first = [[any; N]; N];
     let (mut second, mut third, mut fourth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
     let memory = NewtonMemory {
-        vectors: [&mut [any; N], &mut [any; N], &mut [any; N], &mut [any; N]],
+        vectors: [&mut [any; N], &mut [any; N], &mut [any; N]],
         matrix: first.as_flattened_mut(),
         real_vectors: [
             &mut [0.0; N],
@@ -168,7 +168,7 @@ impl<T, F: FnMut(&[T], &mut [T], &mut [T])> Equations<T> for F {
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct NewtonMemory<'m, T> {
-    pub(crate) vectors: [&'m mut [T]; 4],
+    pub(crate) vectors: [&'m mut [T]; 3],
     pub(crate) matrix: &'m mut [T],
     real_vectors: [&'m mut [f64]; 9],
     real_matrices: [&'m mut [f64]; 3],
@@ -180,7 +180,7 @@ impl<'m, T> NewtonMemory<'m, T> {
     #[must_use]
     pub const fn lengths(unknowns: usize) -> [usize; 3] {
         let (vector, matrix) = (unknowns, unknowns * unknowns);
-        [4 * vector + matrix, 9 * vector + 3 * matrix, vector]
+        [3 * vector + matrix, 9 * vector + 3 * matrix, vector]
     }
 
     /// Memory of these [lengths](Self::lengths) or more, with any content; `None` if it is less.
@@ -191,7 +191,7 @@ impl<'m, T> NewtonMemory<'m, T> {
             return None;
         }
         let (vector, matrix) = (unknowns, unknowns * unknowns);
-        let (vectors, numbers) = numbers.split_at_mut(4 * vector);
+        let (vectors, numbers) = numbers.split_at_mut(3 * vector);
         let (real_vectors, real_matrices) = reals.split_at_mut(9 * vector);
         Some(Self {
             vectors: parts(vectors, vector),

@@ -4,10 +4,6 @@
 //! ordinary method, with its tests and its damping, decides about it. So a lane that converges has taken the steps of
 //! the ordinary method and reaches the same root.
 
-#![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
-
-use num_traits::Float;
-
 use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
@@ -26,10 +22,12 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     memory: NewtonMemory<'_, Lanes<W, FUSED, E>>,
     mut equations: impl Equations<Lanes<W, FUSED, E>>,
 ) -> Result<(), Failure> {
-    let [residuals, correction, end, root] = memory.vectors;
+    let [residuals, correction, root] = memory.vectors;
     let (factors, rows) = (memory.matrix, memory.rows);
+    let one = Lanes::constant(1.0);
     root.fill(Lanes([E::nan(); W]));
-    let mut pending = [true; W];
+    // one in the lanes that have not ended, and zero in the others
+    let mut pending = one;
     let mut previous: Option<Lanes<W, FUSED, E>> = None;
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
@@ -43,42 +41,34 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
         factor_in(factors, rows)?;
         corrected(factors, rows, residuals, correction);
         let length = largest(correction);
+        let mut is_lost = one;
         for index in 0..point.len() {
-            end[index] = point[index] + correction[index] * sizes[index];
+            let change = correction[index] * sizes[index];
+            correction[index] = change;
+            let size = sizes[index].with(point[index].map(E::size), larger);
+            is_lost = is_lost * at_most(change.map(E::size), size * Lanes::constant(E::EPSILON));
         }
-        for lane in 0..W {
-            let is_lost = (0..point.len()).all(|index| {
-                let size = point[index].0[lane].size() / sizes[index].0[lane];
-                correction[index].0[lane].size() <= E::of(E::EPSILON) * Float::max(size, E::one())
-            });
-            let length = length.0[lane];
-            let (is_root, is_full) = if let Some(previous) = &previous {
-                let contraction = length / previous.0[lane];
-                let next = contraction * contraction * length;
-                (
-                    contraction <= E::of(QUADRATIC) && (is_lost || next <= E::of(NEGLIGIBLE * E::EPSILON)),
-                    contraction <= E::of(CONVERGING),
-                )
-            } else {
-                (is_lost, length <= E::of(FIRST_STEP))
-            };
-            if pending[lane] && is_root {
-                for (root, end) in root.iter_mut().zip(&*end) {
-                    root.0[lane] = end.0[lane];
-                }
-            }
-            pending[lane] &= is_full && !is_root;
+        let (is_root, is_full) = if let Some(previous) = previous {
+            let contraction = length / previous;
+            let next = contraction * contraction * length;
+            let is_foretold = at_most(next, Lanes::constant(NEGLIGIBLE * E::EPSILON));
+            (
+                at_most(contraction, Lanes::constant(QUADRATIC)) * is_lost.with(is_foretold, larger),
+                at_most(contraction, Lanes::constant(CONVERGING)),
+            )
+        } else {
+            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)))
+        };
+        let arrives = pending * is_root;
+        pending = pending * is_full * (one - is_root);
+        // Lanes that have ended keep their values.
+        for index in 0..point.len() {
+            let end = point[index] + correction[index];
+            root[index] = chosen(arrives, end, root[index]);
+            point[index] = chosen(pending, end, point[index]);
         }
-        if !pending.contains(&true) {
+        if !pending.0.iter().any(|left| *left > E::zero()) {
             break;
-        }
-        // Lanes that have finished keep their values.
-        for (entry, end) in point.iter_mut().zip(&*end) {
-            for lane in 0..W {
-                if pending[lane] {
-                    entry.0[lane] = end.0[lane];
-                }
-            }
         }
         previous = Some(length);
     }
@@ -90,6 +80,37 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     Ok(())
 }
 
+/// One in the lanes where a number is at most another, and zero in the others.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn at_most<const W: usize, const FUSED: bool, E: Element>(
+    one: Lanes<W, FUSED, E>,
+    other: Lanes<W, FUSED, E>,
+) -> Lanes<W, FUSED, E> {
+    one.with(other, |one, other| if one <= other { E::one() } else { E::zero() })
+}
+
+/// One number where a condition is one, and another where it is zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn chosen<const W: usize, const FUSED: bool, E: Element>(
+    condition: Lanes<W, FUSED, E>,
+    one: Lanes<W, FUSED, E>,
+    other: Lanes<W, FUSED, E>,
+) -> Lanes<W, FUSED, E> {
+    Lanes::from_fn(|lane| {
+        if condition.0[lane] > E::zero() {
+            one.0[lane]
+        } else {
+            other.0[lane]
+        }
+    })
+}
+
+/// The larger of two numbers, the first if one of them is not a number.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn larger<E: Element>(one: E, other: E) -> E {
+    if other > one { other } else { one }
+}
+
 /// The correction that removes the residuals.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn corrected<T: Scalar>(factors: &[T], rows: &[FactorRow], residuals: &[T], correction: &mut [T]) {
@@ -99,21 +120,11 @@ fn corrected<T: Scalar>(factors: &[T], rows: &[FactorRow], residuals: &[T], corr
     }
 }
 
-/// The largest magnitude, or NaN if an entry is NaN.
+/// The largest magnitude in each lane. NaN does not count: the lane that has it ends as NaN anyway.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn largest<const W: usize, const FUSED: bool, E: Element>(vector: &[Lanes<W, FUSED, E>]) -> Lanes<W, FUSED, E> {
-    let mut largest = Lanes::constant(0.0);
-    for entry in vector {
-        largest = largest.with(*entry, |largest, entry| {
-            let size = entry.size();
-            if size <= largest || Float::is_nan(largest) {
-                largest
-            } else {
-                size
-            }
-        });
-    }
-    largest
+    let sizes = vector.iter().map(|entry| entry.map(E::size));
+    sizes.fold(Lanes::constant(0.0), |largest, size| largest.with(size, larger))
 }
 
 #[cfg(test)]
@@ -161,13 +172,5 @@ mod tests {
         let guess = [Lanes([1.001, 40.0, f64::NAN, 1.001]), Lanes([2.001, -3.0, 2.0, 1.999])];
         let [x, _] = newton(guess, [1.0, 2.0].map(Four::constant), &evaluate).unwrap();
         assert_eq!(x.0.map(f64::is_finite), [true, false, false, true], "{x:?}");
-    }
-
-    #[test]
-    fn the_largest_magnitude_is_that_of_each_lane() {
-        let row = [Lanes([1.0, -5.0, f64::NAN, 0.0]), Lanes([-2.0, 3.0, 1.0, f64::NAN])];
-        let Lanes(found) = largest::<4, false, f64>(&row);
-        assert_eq!(found[..2], [2.0, 5.0]);
-        assert!(found[2].is_nan() && found[3].is_nan(), "{found:?}");
     }
 }
