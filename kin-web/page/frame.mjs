@@ -23,16 +23,12 @@ export function createFrames(parent, view, moved) {
       `<style>${view.style}</style></head><body>${view.markup}` +
       `<script type="module">${view.script}</script></body></html>`;
     parent.append(element);
-    return { element, isReady: false, report: null, kept: null, shown: null };
+    return { element, isReady: false, isTouched: false, report: null, kept: null, shown: null };
   }
 
   function keptBy(frame) {
     return new Promise((resolve) => {
-      const timer = setTimeout(() => resolve(null), 300);
-      frame.kept = (kept) => {
-        clearTimeout(timer);
-        resolve(kept);
-      };
+      frame.kept = resolve;
       frame.element.contentWindow.postMessage({ ask: "keep" }, "*");
     });
   }
@@ -43,6 +39,18 @@ export function createFrames(parent, view, moved) {
     // a mechanism of another name is looked at anew
     const kept = front?.report.name === report.name ? await keptBy(front) : null;
     frame.element.contentWindow?.postMessage({ report, kept }, "*");
+  }
+
+  /** Makes a frame behind the front one, and shows a report there. */
+  function load(report, shown) {
+    back = spare ?? made();
+    spare = null;
+    back.report = report;
+    back.shown = shown;
+    back.element.title = `${report.title}, moving`;
+    if (back.isReady) {
+      begin(back);
+    }
   }
 
   addEventListener("message", ({ source, data }) => {
@@ -56,13 +64,22 @@ export function createFrames(parent, view, moved) {
         begin(frame);
       }
     } else if (data.shown && frame === back) {
+      if (front?.isTouched) {
+        // it was used after it gave its view: once more, with the present one
+        back.element.remove();
+        load(back.report, back.shown);
+        return;
+      }
       front?.element.remove();
       front = back;
       back = null;
       front.element.classList.remove("behind");
       front.shown(true);
-    } else if (data.kept) {
+    } else if (data.kept !== undefined) {
+      frame.isTouched = false;
       frame.kept?.(data.kept);
+    } else if (data.touched) {
+      frame.isTouched = true;
     } else if (data.design && frame === front) {
       moved(data.design);
     }
@@ -78,15 +95,7 @@ export function createFrames(parent, view, moved) {
     show(report) {
       back?.element.remove();
       back?.shown(false);
-      back = spare ?? made();
-      spare = null;
-      back.report = report;
-      back.element.title = `${report.title}, moving`;
-      const shown = new Promise((resolve) => (back.shown = resolve));
-      if (back.isReady) {
-        begin(back);
-      }
-      return shown;
+      return new Promise((shown) => load(report, shown));
     },
   };
 }

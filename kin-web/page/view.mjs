@@ -17,20 +17,71 @@ async function solverOf(text) {
   }
 }
 
+/** The page that is shown; null before it is, and for a report that cannot move. */
+let page = null;
+/** The pointers that are pressed, and whether a slider or a field has a number that is not told yet. */
+const pressed = new Set();
+let isEdited = false;
+/** Whether the shell waits for the view, and whether it has it. */
+let isAsked = false;
+let isGiven = false;
+
 async function begin({ report, kept }) {
-  const page = start(report, await solverOf(report.solver), kept);
-  if (page === null) {
-    tell({ shown: true });
-    return;
-  }
-  const sliders = document.getElementById("sliders");
-  sliders.addEventListener("change", () => tell({ design: page.design() }));
-  addEventListener(
-    "message",
-    ({ source, data }) => source === shell && data.ask === "keep" && tell({ kept: page.keep() }),
-  );
+  page = start(report, await solverOf(report.solver), kept);
+  document.getElementById("sliders").addEventListener("change", () => page && tell({ design: page.design() }));
   tell({ shown: true });
 }
 
-addEventListener("message", ({ source, data }) => source === shell && data.report && begin(data));
+/** Gives the view to the frame that takes the place of this one, but not while a person holds or edits something. */
+function giveView() {
+  if (isAsked && pressed.size === 0 && !isEdited) {
+    isAsked = false;
+    isGiven = true;
+    tell({ kept: page?.keep() ?? null });
+  }
+}
+
+/** Tells that a view that was given may be an old one. */
+function touched() {
+  if (isGiven) {
+    isGiven = false;
+    tell({ touched: true });
+  }
+}
+
+function onAny(kinds, act) {
+  for (const kind of kinds) {
+    addEventListener(kind, act, true);
+  }
+}
+
+onAny(["keydown"], touched);
+onAny(["pointerdown"], ({ pointerId }) => {
+  pressed.add(pointerId);
+  touched();
+});
+onAny(["pointerup", "pointercancel"], ({ pointerId }) => {
+  pressed.delete(pointerId);
+  // after the slider has told its number
+  setTimeout(giveView);
+});
+onAny(["input"], () => {
+  isEdited = true;
+  touched();
+});
+onAny(["change", "focusout"], () => {
+  isEdited = false;
+  setTimeout(giveView);
+});
+addEventListener("message", ({ source, data }) => {
+  if (source !== shell) {
+    return;
+  }
+  if (data.report) {
+    begin(data);
+  } else if (data.ask === "keep") {
+    isAsked = true;
+    giveView();
+  }
+});
 tell({ ready: true });

@@ -152,6 +152,32 @@ test("a slider writes its number into the text", async () => {
   assert.match(await page.locator(".cm-content").innerText(), /r = 30mm/);
 });
 
+test("a slider that is held stays in its place while the peaks arrive", async () => {
+  const { page, faults } = await opened();
+  await typeText(page, CRANK);
+  await shows(page, "Crank");
+  const frame = page.locator("#moving iframe:not(.behind)").contentFrame();
+  await frame.locator("#open-dimensions").click();
+  const slider = frame.getByRole("slider", { name: "rod" });
+  await slider.waitFor();
+  await page.waitForFunction(() => document.getElementById("state").textContent === "");
+  // a text that moves at once, and whose peaks come later
+  await typeText(page, CRANK.replace("rod = 80mm", "rod = 81mm"));
+  await page.waitForFunction(() => document.getElementById("state").textContent === "finding peaks …");
+  await slider.hover();
+  const { x, y, width, height } = await slider.boundingBox();
+  await page.mouse.down();
+  await page.evaluate(() => (document.querySelector("#moving iframe:not(.behind)").dataset.isHeld = "yes"));
+  await page.waitForFunction(() => document.getElementById("state").textContent === "");
+  await page.locator("#moving iframe.behind").waitFor({ state: "attached" });
+  await page.mouse.move(x + width * 0.7, y + height / 2, { steps: 4 });
+  assert.equal(await page.locator("#moving iframe:not(.behind)").getAttribute("data-is-held"), "yes");
+  await page.mouse.up();
+  await page.waitForFunction(() => !document.querySelector(".cm-content").innerText.includes("rod = 81mm"));
+  await page.waitForFunction(() => document.querySelector("#moving iframe:not(.behind)").dataset.isHeld !== "yes");
+  assert.deepEqual(faults, []);
+});
+
 test("a number of the text keeps its unit, also as a coordinate, and stays if another one changes", async () => {
   const { page, faults } = await opened();
   await typeText(

@@ -80,9 +80,9 @@ pub use slices::{Numbers, SliceSolver, fold_slices, solve_slices};
 pub use sweep::Batch;
 #[doc(hidden)]
 pub use sweep::{Guide, InAssembly, Nearest};
-pub use target::Slot;
 #[doc(hidden)]
 pub use target::{Columns, MotionColumns, Target, Visitor};
+pub use target::{Slot, angles_from_cosines};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 #[doc(hidden)]

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Plane, Space};
 use crate::motion::{Direction, Motion};
+use crate::number::Number;
 
 /// The column for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
 pub trait Target<T = f64> {
@@ -49,6 +50,21 @@ pub enum Slot {
     Sine(usize),
     /// The derivative of a scalar output: its index and its order.
     Output(usize, usize),
+}
+
+/// Replaces the cosines of a direction, as a batch stores them, by its angles: in (-π, π], NaN where a pose has none.
+///
+/// ```
+/// use kin_core::batch::angles_from_cosines;
+///
+/// let mut column = [0.0, -1.0];
+/// angles_from_cosines(&mut column, &[1.0, 0.0]);
+/// assert_eq!(column, [core::f64::consts::FRAC_PI_2, core::f64::consts::PI]);
+/// ```
+pub fn angles_from_cosines(cosines: &mut [f64], sines: &[f64]) {
+    for (angle, sine) in cosines.iter_mut().zip(sines) {
+        *angle = Number::atan2(*sine, *angle);
+    }
 }
 
 /// A pose with a `C` instead of each number. The structures of poses are generic for this; the `mechanism!` macro

@@ -29,8 +29,8 @@ pub struct Factors<T, const N: usize> {
     entries: [[T; N]; N],
     rows: [FactorRow; N],
     elimination: Elimination,
-    /// The largest sum of magnitudes along a row of the scaled matrix.
-    norm: f64,
+    /// For the condition.
+    matrix: [[T; N]; N],
 }
 
 /// What was done with a row of a matrix, and with the column of the same number, to find its triangular factors.
@@ -77,12 +77,11 @@ pub struct Elimination {
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
     let (mut entries, mut rows) = (matrix, [FactorRow::default(); N]);
     let elimination = factor_in(entries.as_flattened_mut(), &mut rows)?;
-    let norm = scaled_norm(matrix.map(|row| row.map(Scalar::leading)).as_flattened(), &rows);
     Ok(Factors {
         entries,
         rows,
         elimination,
-        norm,
+        matrix,
     })
 }
 
@@ -282,12 +281,7 @@ pub(super) type Scratch<'m> = [&'m mut [f64]; 3];
 
 /// See [`Factors::condition`].
 pub(super) fn condition(entries: &[f64], rows: &[FactorRow], matrix: &[f64], scratch: Scratch<'_>) -> f64 {
-    scaled_norm(matrix, rows) * inverse_norm(entries, rows, scratch)
-}
-
-/// The largest row sum of the inverse of the scaled matrix.
-fn inverse_norm(entries: &[f64], rows: &[FactorRow], scratch: Scratch<'_>) -> f64 {
-    largest_row_sum(entries, rows, |_| 1.0, |_| 1.0, scratch)
+    scaled_norm(matrix, rows) * largest_row_sum(entries, rows, |_| 1.0, |_| 1.0, scratch)
 }
 
 /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: the factor by which relative rounding
@@ -346,9 +340,9 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     /// It is computed from the inverse of the real parts, with N³ multiplications.
     #[must_use]
     pub fn condition(&self) -> f64 {
-        let real = self.entries.map(|row| row.map(Scalar::leading));
+        let [entries, matrix] = [self.entries, self.matrix].map(|matrix| matrix.map(|row| row.map(Scalar::leading)));
         let scratch: Scratch<'_> = [&mut [0.0; N], &mut [0.0; N], &mut [0.0; N]];
-        self.norm * inverse_norm(real.as_flattened(), &self.rows, scratch)
+        condition(entries.as_flattened(), &self.rows, matrix.as_flattened(), scratch)
     }
 }
 

@@ -15,10 +15,11 @@ use super::unwrap::unwrap;
 use super::walk::Walk;
 use super::{Sweep, limits};
 use crate::any::{AssemblyOver, Of};
-use crate::batch::{AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
+use crate::batch::{
+    AnyBatch, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns, angles_from_cosines,
+};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
-use crate::number::Number;
 
 /// The rows that a batch solves between two calls of the progress, and those of coupled blocks.
 const BLOCK: usize = 1 << 16;
@@ -219,10 +220,10 @@ impl UntypedSweep<'_> {
             progress(part(rows.end, count));
         }
         for (unknown, sines) in sines.iter().enumerate() {
-            let angles = &mut results[unknown * orders * count..(unknown * orders + 1) * count];
-            for (angle, sine) in angles.iter_mut().zip(sines) {
-                *angle = Number::atan2(*sine, *angle);
-            }
+            angles_from_cosines(
+                &mut results[unknown * orders * count..(unknown * orders + 1) * count],
+                sines,
+            );
         }
         Ok(is_closed)
     }

@@ -17,7 +17,7 @@ use crate::declared::Declared;
 
 use given::{Values, broadcast, motion};
 use memory::{Memory, own};
-use pieces::{Columns, OutcomeColumns, Piece, Scratch, on_threads, parts, threads, turn};
+use pieces::{Columns, OutcomeColumns, Piece, Scratch, make_angles, on_threads, parts, threads};
 
 pub(crate) use poses::{Batch, restored_batch};
 
@@ -148,7 +148,7 @@ pub(crate) fn solve<'py>(
             let summary = solved.unwrap_or_else(|_| unreachable!("all columns have the length of the piece"));
             piece.outcomes.write(outcomes, summary.first_failure.is_none());
             for (unknown, sines) in directions.iter().zip(sines.chunks_exact(length)) {
-                turn(&mut wanted, *unknown, sines);
+                make_angles(&mut wanted, *unknown, sines);
             }
             summary.first_failure.map(|(index, error)| (piece.from + index, error))
         };

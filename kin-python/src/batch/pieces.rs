@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use kin_core::batch::{Column, Outcome, Slot};
-use kin_core::{Number, SolveError};
+use kin_core::SolveError;
+use kin_core::batch::{Column, Outcome, Slot, angles_from_cosines};
 
 use crate::arguments::Group;
 
@@ -123,12 +123,10 @@ impl Columns<'_, '_> {
 }
 
 /// Makes angles of an unknown that is a direction, of which a batch stores the cosines and sines.
-pub(super) fn turn(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) {
+pub(super) fn make_angles(columns: &mut [(Slot, &mut [f64])], unknown: usize, sines: &[f64]) {
     let is_meant = |slot: &Slot| matches!(slot, Slot::Unknown(index, 0) if *index == unknown);
     for (_, cosines) in columns.iter_mut().filter(|(slot, _)| is_meant(slot)) {
-        for (angle, sine) in cosines.iter_mut().zip(sines) {
-            *angle = Number::atan2(*sine, *angle);
-        }
+        angles_from_cosines(cosines, sines);
     }
 }
 

@@ -11,7 +11,7 @@ use datafusion::logical_expr::{
     ColumnarValue, DocSection, Documentation, ReturnFieldArgs, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility,
 };
 use kin_core::any::Quantity;
-use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
+use kin_core::batch::{Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns, angles_from_cosines};
 use kin_core::in_small_letters;
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
@@ -292,9 +292,7 @@ impl Poses {
             .solve_batch(given, &mut WantedColumns::new(wanted), &mut outcomes, vectors)
             .map_err(|mismatch| exec_datafusion_err!("{mismatch}"))?;
         for (unknown, sines) in sines.iter().enumerate() {
-            for (angle, sine) in columns[unknown * (order + 1)].iter_mut().zip(sines) {
-                *angle = sine.atan2(*angle);
-            }
+            angles_from_cosines(&mut columns[unknown * (order + 1)], sines);
         }
         Ok(Self { columns, outcomes })
     }
