@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use super::command::{FORCES, Task};
+use super::command::Task;
 
 /// The languages of `code`.
 const LANGUAGES: [&str; 6] = ["c", "js", "javascript", "python", "py", "numpy"];
@@ -15,21 +15,14 @@ pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String
     let is_argument = |word: &&str| !word.starts_with('-');
     let mut named = words.iter().copied().filter(is_argument);
     let (first, second, third) = (named.next()?, named.next(), named.next());
-    let is_file = |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "kin");
     if has_library && is_file(first) {
+        let command = second.filter(|word| Task::NAMES.contains(word)).unwrap_or("report");
         return Some(format!(
-            "a file is run with a command: write `kin run {first} {}`",
-            second.unwrap_or("report")
+            "a command comes before the file: write `kin {command} {first}`"
         ));
     }
     if !Task::NAMES.contains(&first) {
         return None;
-    }
-    if has_library
-        && first != FORCES
-        && let Some(file) = second.filter(|word| is_file(word))
-    {
-        return Some(format!("a file is run: write `kin run {file} {first}`"));
     }
     if let ("code", true, Some(language), Some(mechanism)) = (first, has_library, second, third)
         && LANGUAGES.contains(&language)
@@ -54,6 +47,11 @@ pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String
         before = word;
     }
     None
+}
+
+/// Whether a mechanism is a file, and no name of the library.
+pub(super) fn is_file(word: &str) -> bool {
+    Path::new(word).extension().is_some_and(|ending| ending == "kin")
 }
 
 /// Whether an option is the step that other programs take.
@@ -87,7 +85,7 @@ mod tests {
             "kin sweep four_bar --set r2=45",
             "kin sweep four_bar --over theta2=0..90deg --rows 3",
             "kin code four_bar c",
-            "kin run w.kin report",
+            "kin report w.kin",
             "kin",
         ] {
             assert_eq!(of(line, true), None, "{line}");
@@ -98,9 +96,8 @@ mod tests {
     #[test]
     fn arguments_of_other_programs() {
         for (line, advice) in [
-            ("kin w.kin", "`kin run w.kin report`"),
-            ("kin w.kin sweep", "`kin run w.kin sweep`"),
-            ("kin report w.kin", "`kin run w.kin report`"),
+            ("kin w.kin", "`kin report w.kin`"),
+            ("kin w.kin sweep", "`kin sweep w.kin`"),
             ("kin code c four_bar", "`kin code four_bar c`"),
             ("kin sweep four_bar r2=45", "`--set r2=45`"),
             ("kin sweep four_bar --radians p.x=4", "`--set p.x=4`"),

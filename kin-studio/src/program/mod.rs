@@ -12,8 +12,7 @@ mod text;
 use crate::case::subject::Subject;
 
 use std::ffi::OsString;
-use std::iter;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
@@ -156,7 +155,6 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(),
-        Some(("run", given)) => run_file(given),
         Some(("check", given)) => {
             let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
             if !given.get_flag("json") {
@@ -180,20 +178,22 @@ fn run_library(arguments: &[OsString]) -> Result<(), Fault> {
             let output = given.get_one::<PathBuf>("output").cloned();
             tasks::import(from, &output.unwrap_or_else(|| PathBuf::from("-")))
         }
-        Some((FORCES, given)) => {
-            let path = given.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-            let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            let (subject, settings) = file::read(&path)?;
-            tasks::run(&subject, &task, &settings)
-        }
-        Some((_, given)) => {
+        Some((name, given)) => {
             let wanted = given.get_one::<String>("mechanism").map_or("", String::as_str);
+            let task = || Task::from_arg_matches(&matches).map_err(Fault::wrong);
+            if advice::is_file(wanted) {
+                return run_file(Path::new(wanted), &task()?);
+            }
+            if name == FORCES {
+                return Err(Fault::wrong(
+                    "forces follow from the loads of a file: write `kin forces FILE.kin`",
+                ));
+            }
             let subject = match (find(wanted), advice::advice(arguments, true)) {
                 (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
                 (found, _) => found?,
             };
-            let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
-            tasks::run(&subject, &task, &Settings::default())
+            tasks::run(&subject, &task()?, &Settings::default())
         }
         None => Ok(()),
     }
@@ -209,14 +209,11 @@ fn library_command() -> Command {
     let mut command = completed(of_files(Task::augment_subcommands(command).about(about)), "kin");
     for name in Task::NAMES {
         command = command.mut_subcommand(name, |subcommand| {
-            if name == FORCES {
-                return subcommand.arg(file_argument().index(1).help("The file"));
-            }
             let subcommand = subcommand.arg(
                 Arg::new("mechanism")
                     .required(true)
                     .index(1)
-                    .help("The mechanism, as `kin list` names it"),
+                    .help("The mechanism: a name of `kin list`, or a .kin file"),
             );
             if name == "code" {
                 subcommand.mut_arg("language", |language| language.index(2))
@@ -239,28 +236,6 @@ fn file_argument() -> Arg {
 /// The commands that build `.kin` files.
 fn of_files(command: Command) -> Command {
     command
-        .subcommand(
-            Command::new("run")
-                .about("Do any of this with a mechanism of one's own, from a .kin file")
-                .arg(file_argument().help(
-                    "The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, \
-                             `loads { .. }`, `assembly = ..;`, `columns ..;`",
-                ))
-                .arg(
-                    Arg::new("command")
-                        .required(true)
-                        .value_name("COMMAND")
-                        .num_args(1..)
-                        .trailing_var_arg(true)
-                        .allow_hyphen_values(true)
-                        .value_parser(clap::value_parser!(OsString))
-                        .help("A command for one mechanism with its options, such as `report` or `sweep --csv`"),
-                )
-                .after_help(
-                    "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  \
-                     kin run pump.kin sweep --set rod=70mm --csv",
-                ),
-        )
         .subcommand(
             Command::new("check")
                 .about("Find the mistakes of a .kin file")
@@ -318,19 +293,12 @@ fn of_files(command: Command) -> Command {
         )
 }
 
-fn run_file(matches: &clap::ArgMatches) -> Result<(), Fault> {
-    let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-    let name = format!("kin run {}", path.display());
-    let words = matches.get_many::<OsString>("command").into_iter().flatten();
-    let arguments: Vec<OsString> = iter::once(OsString::from(&name)).chain(words.cloned()).collect();
-    match task_of_one_mechanism(format!("The mechanism of {}", path.display()), &name, &arguments)? {
-        None => Ok(()),
-        Some(Task::Serve(options)) => tasks::watch(&path, &options),
-        Some(task) => {
-            let (subject, settings) = file::read(&path)?;
-            tasks::run(&subject, &task, &settings)
-        }
+fn run_file(path: &Path, task: &Task) -> Result<(), Fault> {
+    if let Task::Serve(options) = task {
+        return tasks::watch(path, options);
     }
+    let (subject, settings) = file::read(path)?;
+    tasks::run(&subject, task, &settings)
 }
 
 fn find(wanted: &str) -> Result<Subject, Fault> {
@@ -341,7 +309,9 @@ fn find(wanted: &str) -> Result<Subject, Fault> {
     let names = DESIGNS.iter().map(|design| in_small_letters(design.name, '_'));
     let names: Vec<String> = names.collect();
     let close = similar(wanted, names.iter().map(String::as_str));
-    let hint = if close.starts_with("did you mean") {
+    let hint = if Path::new(wanted).is_file() {
+        "the name of a file ends in `.kin`".to_owned()
+    } else if close.starts_with("did you mean") {
         close
     } else {
         "`kin list` shows all names".to_owned()

@@ -11,7 +11,6 @@ use crate::typed::{Folder, typed, typed_in};
 fn help() {
     assert_snapshot!("help", typed("help", "kin --help"));
     assert_snapshot!("help of sweep", typed("help-sweep", "kin sweep --help"));
-    assert_snapshot!("help of run", typed("help-run", "kin run --help"));
     // every command has examples
     for command in [
         "list",
@@ -25,7 +24,6 @@ fn help() {
         "table",
         "report",
         "serve",
-        "run",
         "import",
         "completions",
     ] {

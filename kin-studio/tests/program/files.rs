@@ -42,30 +42,27 @@ fn says(printed: &str, text: &str) {
     assert!(printed.contains(text), "{printed}");
 }
 
-/// A file is run, changed and spoilt, where nothing but the program is installed.
+/// Commands take a file, which is changed and spoilt, where nothing but the program is installed.
 #[test]
-fn a_file_is_run() {
-    let folder = Folder::new("run");
+fn a_file_takes_every_command() {
+    let folder = Folder::new("wiper");
     folder.write("wiper.kin", WIPER);
-    let run = |arguments: &[&str]| {
+    let done = |arguments: &[&str]| {
         let output = kin(&folder).args(arguments).env("PATH", "").output().unwrap();
         String::from_utf8(output.stdout).unwrap()
     };
     says(
-        &run(&["run", "wiper.kin", "sweep", "--rows", "5"]),
+        &done(&["sweep", "wiper.kin", "--rows", "5"]),
         "180.000   8.9079  150.637  -192.187  220.656         270.000       45.0000        45.000\n",
     );
     folder.write("wiper.kin", &WIPER.replace("crank = 40mm", "crank = 4.5cm"));
     says(
-        &run(&["run", "wiper.kin", "peaks", "--of", "psi"]),
+        &done(&["peaks", "wiper.kin", "--of", "psi"]),
         "theta moves at 270 deg/s\n",
     );
-    says(
-        &run(&["run", "wiper.kin", "show"]),
-        "  crank * cis(theta) + rod * cis(phi)",
-    );
-    says(&run(&["run", "wiper.kin", "verify"]), "Wiper: passed, ");
-    says(&run(&["run", "wiper.kin", "code", "c"]), "wiper.c: ");
+    says(&done(&["show", "wiper.kin"]), "  crank * cis(theta) + rod * cis(phi)");
+    says(&done(&["verify", "wiper.kin"]), "Wiper: passed, ");
+    says(&done(&["code", "wiper.kin", "c"]), "wiper.c: ");
 
     // a block is called by its unknowns wherever one is named
     for (line, text) in [
@@ -74,12 +71,12 @@ fn a_file_is_run() {
         ("sweep --set rod=120mm --json -", "\"phi, psi\""),
         ("report --set rod=12mm", "phi, psi"),
     ] {
-        let printed = typed_in(&folder, &format!("kin run wiper.kin {line}"));
+        let printed = typed_in(&folder, &format!("kin {line} wiper.kin"));
         assert!(printed.contains(text) && !printed.contains('‹'), "{printed}");
     }
 
     // a value beside a motion would not be read
-    let printed = typed_in(&folder, "kin run wiper.kin sweep --set theta=10deg");
+    let printed = typed_in(&folder, "kin sweep wiper.kin --set theta=10deg");
     says(
         &printed,
         "`theta` has a motion, so `--set theta=10deg` would not be read: `--over theta=10deg` lets it",
@@ -102,7 +99,7 @@ fn a_file_is_run() {
         ),
     ] {
         folder.write("wiper.kin", &WIPER.replacen(old, new, 1));
-        let printed = typed_in(&folder, "kin run wiper.kin report");
+        let printed = typed_in(&folder, "kin report wiper.kin");
         says(&printed, message);
         says(&printed, position);
         says(&printed, "-- code 2\n");
@@ -116,17 +113,17 @@ fn a_file_with_all_statements_is_run() {
     folder.write("robot.kin", ROBOT);
     let all = [
         "check robot.kin",
-        "run robot.kin sweep --rows 9",
-        "run robot.kin sweep --rows 3 --csv",
-        "run robot.kin sweep --rows 2 --columns alpha_effort_rate --json",
-        "run robot.kin sweep --rows 2 --assembly crossed --columns all --csv",
-        "run robot.kin peaks",
-        "run robot.kin peaks --assembly open --of alpha_effort,beta_effort_rate,hand",
-        "run robot.kin table",
-        "run robot.kin table --assembly open --order 2",
-        "run robot.kin table --assembly open --order 2 --over 'beta=60..75deg by cycloidal in 0.5s'",
-        "run robot.kin report",
-        "run robot.kin cycle",
+        "sweep robot.kin --rows 9",
+        "sweep robot.kin --rows 3 --csv",
+        "sweep robot.kin --rows 2 --columns alpha_effort_rate --json",
+        "sweep robot.kin --rows 2 --assembly crossed --columns all --csv",
+        "peaks robot.kin",
+        "peaks robot.kin --assembly open --of alpha_effort,beta_effort_rate,hand",
+        "table robot.kin",
+        "table robot.kin --assembly open --order 2",
+        "table robot.kin --assembly open --order 2 --over 'beta=60..75deg by cycloidal in 0.5s'",
+        "report robot.kin",
+        "cycle robot.kin",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("a file with all statements", all.join("\n"));
@@ -139,7 +136,7 @@ fn efforts_are_in_si() {
     folder.write("robot.kin", ROBOT);
     folder.write("metres.kin", &ROBOT.replacen("ground = 200mm", "ground = 0.2m", 1));
     let efforts = ["robot", "metres"].map(|name| {
-        let words = format!("kin run {name}.kin sweep --rows 5 --assembly open --columns alpha_effort,beta_effort");
+        let words = format!("kin sweep {name}.kin --rows 5 --assembly open --columns alpha_effort,beta_effort");
         let printed = typed_in(&folder, &words);
         printed.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     });
@@ -165,7 +162,7 @@ loads { gravity = (0, -10m/s2); mass tip = 2kg; inertia phi = 1.5kgm2; torque ph
 columns theta, theta_effort, theta_acceleration;
 ",
     );
-    let printed = typed_in(&folder, "kin run crank.kin sweep --rows 5 --radians --csv");
+    let printed = typed_in(&folder, "kin sweep crank.kin --rows 5 --radians --csv");
     let mut count = 0;
     for line in printed.lines().filter(|line| line.ends_with(",closes,")) {
         let numbers: Vec<f64> = line.split(',').take(4).map(|number| number.parse().unwrap()).collect();
@@ -194,14 +191,14 @@ fn forces_in_joints() {
     folder.write("light.kin", &loads);
     folder.write("lacking.kin", &PRESS.replacen("body rocker: pivot, knee;", "", 1));
     let all = [
-        "run press.kin sweep --rows 5",
-        "run press.kin sweep --rows 3 --columns ground_crank_force_second_rate,pivot_x --csv",
-        "run press.kin sweep --rows 3 --columns knee_moment",
-        "run press.kin peaks",
-        "run press.kin peaks --of pin_force,theta_effort",
-        "run guessed.kin sweep",
-        "run light.kin sweep",
-        "run lacking.kin sweep",
+        "sweep press.kin --rows 5",
+        "sweep press.kin --rows 3 --columns ground_crank_force_second_rate,pivot_x --csv",
+        "sweep press.kin --rows 3 --columns knee_moment",
+        "peaks press.kin",
+        "peaks press.kin --of pin_force,theta_effort",
+        "sweep guessed.kin",
+        "sweep light.kin",
+        "sweep lacking.kin",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("forces in joints", all.join("\n"));
@@ -224,17 +221,17 @@ fn friction_in_joints() {
     let begins = "loads { sense of theta = forwards; drive of theta = arm;";
     folder.write("begins.kin", &rest.replacen("loads {", begins, 1));
     let all = [
-        "run pump.kin peaks",
-        "run pump.kin sweep --rows 5",
-        "run rest.kin sweep --rows 3 --columns friction_heat",
-        "run begins.kin sweep --rows 3 --columns theta_effort",
+        "peaks pump.kin",
+        "sweep pump.kin --rows 5",
+        "sweep rest.kin --rows 3 --columns friction_heat",
+        "sweep begins.kin --rows 3 --columns theta_effort",
         "forces pump.kin",
         "forces pump.kin --json",
         "forces pump.kin --csv",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("friction in joints", all.join("\n"));
-    let [one, other] = ["pump", "metres"].map(|name| typed_in(&folder, &format!("kin run {name}.kin sweep --rows 5")));
+    let [one, other] = ["pump", "metres"].map(|name| typed_in(&folder, &format!("kin sweep {name}.kin --rows 5")));
     assert_eq!(
         one.lines().skip(1).collect::<Vec<_>>(),
         other.lines().skip(1).collect::<Vec<_>>()
@@ -248,7 +245,7 @@ fn forces_are_in_si() {
     folder.write("press.kin", PRESS);
     folder.write("metres.kin", &PRESS.replacen("ground = 200mm", "ground = 0.2m", 1));
     let forces = ["press", "metres"].map(|name| {
-        let words = format!("kin run {name}.kin sweep --rows 5 --columns theta_effort,knee_x,knee_force_rate,pivot_y");
+        let words = format!("kin sweep {name}.kin --rows 5 --columns theta_effort,knee_x,knee_force_rate,pivot_y");
         let printed = typed_in(&folder, &words);
         printed.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     });
@@ -283,7 +280,7 @@ fn forces_of_a_press() {
         "forces law.kin",
         "forces guided.kin --speed 250rpm --assembly all --csv",
         "forces wrong.kin",
-        "run bare.kin forces",
+        "forces bare.kin",
         "forces four_bar",
     ]
     .map(|words| typed_in(&folder, &format!("kin {words}")));
@@ -301,7 +298,7 @@ fn forces_of_a_press() {
 
 /// The forces on the page of a file.
 fn forces_on_page(folder: &Folder, file: &str) -> Forces {
-    typed_in(folder, &format!("kin run {file} report --output page.html"));
+    typed_in(folder, &format!("kin report {file} --output page.html"));
     let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
     let (_, data) = page.split_once("<script type=\"application/json\"").unwrap();
     let data = data.split_once('>').unwrap().1.split_once("</script>").unwrap().0;
@@ -318,7 +315,7 @@ fn gears_and_racks() {
     folder.write("slips.kin", &RACK_PRESS.replacen("radius sector", "radius 61mm", 1));
     let all = [
         "forces rack_press.kin",
-        "run rack_press.kin sweep --rows 3 --columns teeth_x,teeth_y,teeth_force_rate --set sector=65mm",
+        "sweep rack_press.kin --rows 3 --columns teeth_x,teeth_y,teeth_force_rate --set sector=65mm",
         "forces bare.kin",
         "forces slips.kin",
         "check slips.kin",
@@ -371,7 +368,7 @@ fn gears_and_racks() {
     folder.write("smooth.kin", &smooth);
     folder.write("straight.kin", &smooth.replacen(", pressure angle 20deg", "", 1));
     let [own, straight] = ["smooth", "straight"].map(|name| {
-        let words = format!("kin run {name}.kin sweep --rows 3 --columns theta,teeth_force --csv");
+        let words = format!("kin sweep {name}.kin --rows 3 --columns theta,teeth_force --csv");
         let printed = typed_in(&folder, &words);
         let row = printed.lines().nth(3).unwrap();
         row.split(',').nth(1).unwrap().parse::<f64>().unwrap()
@@ -388,7 +385,7 @@ fn hinges_in_space() {
     let folder = Folder::new("hinges");
     folder.write("rssr.kin", RSSR);
     let printed =
-        ["forces rssr.kin", "run rssr.kin sweep --rows 3"].map(|words| typed_in(&folder, &format!("kin {words}")));
+        ["forces rssr.kin", "sweep rssr.kin --rows 3"].map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("hinges in space", printed.join("\n"));
     let page = forces_on_page(&folder, "rssr.kin");
     assert!(page.joints.is_empty() && page.unknown.is_none());
@@ -509,9 +506,9 @@ fn an_outline_of_the_input() {
 fn a_platform_is_run() {
     let folder = Folder::new("platform");
     folder.write("platform.kin", PLATFORM);
-    let printed = typed_in(&folder, "kin run platform.kin sweep --rows 2 --columns x,y,pitch");
+    let printed = typed_in(&folder, "kin sweep platform.kin --rows 2 --columns x,y,pitch");
     says(&printed, "170.000  -9.75846  6.71925  -0.99571");
-    says(&typed_in(&folder, "kin run platform.kin verify"), "Platform: passed, ");
+    says(&typed_in(&folder, "kin verify platform.kin"), "Platform: passed, ");
     // one leg is wrong, and the list says which
     folder.write("platform.kin", &PLATFORM.replace("a5, b5, l5", "a5, l5, b5"));
     let printed = typed_in(&folder, "kin check platform.kin");
@@ -553,7 +550,7 @@ fn a_file_is_formatted() {
 fn a_file_is_watched() {
     let folder = Folder::new("watched");
     folder.write("wiper.kin", &WIPER.replacen("cis(psi);", "cis(chi);", 1));
-    let server = Server::start(&folder, &["run", "wiper.kin", "serve"]);
+    let server = Server::start(&folder, &["serve", "wiper.kin"]);
     says(&server.get("/"), "<iframe");
     says(&server.get("/page"), "A mistake");
     let version = server.get("/version");
@@ -577,7 +574,7 @@ fn a_change_during_the_first_look_is_seen() {
         std::fs::rename(other, &path).unwrap();
         std::io::Write::write_all(&mut pipe, WIPER.replacen("motion {", "movement {", 1).as_bytes()).unwrap();
     });
-    let server = Server::start(&folder, &["run", "wiper.kin", "serve"]);
+    let server = Server::start(&folder, &["serve", "wiper.kin"]);
     writer.join().unwrap();
     wait(&server, |page| page.contains("kin 2"));
 }
@@ -622,7 +619,7 @@ assembly = open;
     folder.write("tensor.kin", &SHAFTS.replace(", 300kgmm2);", ");"));
     let all = [
         "forces shafts.kin",
-        "run shafts.kin sweep --rows 3 --columns ball_z,ground_crank_moment,ground_crank_moment_x",
+        "sweep shafts.kin --rows 3 --columns ball_z,ground_crank_moment,ground_crank_moment_x",
         "forces ball.kin",
         "forces tensor.kin",
     ]

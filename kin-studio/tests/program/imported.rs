@@ -30,7 +30,7 @@ fn files_of_others_run_and_are_in_form() {
         assert!(printed.contains(says), "{printed}");
         done(&folder, "kin fmt --check it.kin");
         done(&folder, "kin check it.kin");
-        done(&folder, "kin run it.kin sweep");
+        done(&folder, "kin sweep it.kin");
     }
 }
 

@@ -64,7 +64,7 @@ fn messages_say_what_to_do() {
         "kin report wiper.kin",
         "kin fit four_bar --data none.csv",
         "kin completions tcsh",
-        "kin run none.kin report",
+        "kin report none.kin",
     ];
     let all: Vec<String> = lines.iter().map(|line| short(&typed("mistakes", line))).collect();
     assert_snapshot!("mistakes", all.join("\n"));
@@ -117,7 +117,7 @@ fn mistakes_in_kin_files() {
     ]
     .map(|(old, new)| {
         folder.write("wiper.kin", &right.replacen(old, new, 1));
-        typed_in(&folder, "kin run wiper.kin report")
+        typed_in(&folder, "kin report wiper.kin")
     });
     assert_snapshot!("mistakes in kin files", all.join("\n"));
     // a declaration is compiled without being built
@@ -135,18 +135,18 @@ fn mistakes_in_kin_files() {
         "wiper.kin",
         &right.replacen(wrong.0, wrong.1, 1).replacen(other.0, other.1, 1),
     );
-    let printed = ["check wiper.kin", "run wiper.kin report"].map(|words| typed_in(&folder, &format!("kin {words}")));
+    let printed = ["check wiper.kin", "report wiper.kin"].map(|words| typed_in(&folder, &format!("kin {words}")));
     assert_snapshot!("mistakes in the declaration of a kin file", printed.join("\n"));
     // without any of these mistakes, the first is reported
     folder.write("wiper.kin", &right.replace(';', ""));
-    let printed = typed_in(&folder, "kin run wiper.kin report");
+    let printed = typed_in(&folder, "kin report wiper.kin");
     assert!(
         printed.contains("a statement ends with `;`") && printed.contains("wiper.kin:4:14\n"),
         "{printed}"
     );
     // a line that is longer than formats are wide
     folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
-    let printed = typed_in(&folder, "kin run wiper.kin report");
+    let printed = typed_in(&folder, "kin report wiper.kin");
     assert!(
         printed.contains("more than 32768 bytes") && printed.ends_with("code 2\n"),
         "{printed}"

@@ -8,12 +8,16 @@ use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{
-    CONVERGING, Equations, FIRST_STEP, FactorRow, NEGLIGIBLE, NewtonMemory, QUADRATIC, Scalar, factor_in, substitute_in,
+    CONVERGING, Determinant, Equations, FIRST_STEP, FactorRow, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC,
+    Scalar, factor_in, substitute_in,
 };
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
 /// damped.
 const ITERATIONS: u32 = 12;
+
+/// The largest change of the determinant over a correction that is rounding, as a part of itself.
+const LARGEST_CHANGE: f64 = 0.03;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
@@ -28,7 +32,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     root.fill(Lanes([E::nan(); W]));
     // one in the lanes that have not ended, and zero in the others
     let mut pending = one;
-    let mut previous: Option<Lanes<W, FUSED, E>> = None;
+    // the length of the step before, and the determinant where it began
+    let mut previous: Option<(Lanes<W, FUSED, E>, Determinant<Lanes<W, FUSED, E>>)> = None;
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
@@ -38,7 +43,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
                 *entry = *entry * *size;
             }
         }
-        factor_in(factors, rows)?;
+        let elimination = factor_in(factors, rows)?;
+        let determinant = Determinant::of(factors, rows, elimination.is_odd);
         corrected(factors, rows, residuals, correction);
         let length = largest(correction);
         let mut is_lost = one;
@@ -48,14 +54,22 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
             let size = sizes[index].with(point[index].map(E::size), larger);
             is_lost = is_lost * at_most(change.map(E::size), size * Lanes::constant(E::EPSILON));
         }
-        let (is_root, is_full) = if let Some(previous) = previous {
-            let contraction = length / previous;
+        let (is_root, is_full) = if let Some((before, last_determinant)) = previous {
+            let contraction = length / before;
             let next = contraction * contraction * length;
             let is_foretold = at_most(next, Lanes::constant(NEGLIGIBLE * E::EPSILON));
-            (
-                at_most(contraction, Lanes::constant(QUADRATIC)) * is_lost.with(is_foretold, larger),
-                at_most(contraction, Lanes::constant(CONVERGING)),
-            )
+            let is_quadratic = at_most(contraction, Lanes::constant(QUADRATIC));
+            let is_full = at_most(contraction, Lanes::constant(CONVERGING));
+            let mut is_root = is_quadratic * is_lost.with(is_foretold, larger);
+            // A small correction that does not fall is rounding, and the last point is the root if the determinant
+            // hardly changes over it. The ordinary method allows a change of a quarter.
+            let is_rounding = at_most(before * before, Lanes::constant(LINEAR_STEP * E::EPSILON)) * (one - is_full);
+            if is_any(pending * is_rounding) {
+                let change = determinant.relative_to(last_determinant) - one;
+                let is_distinct = at_most(change.map(E::size), Lanes::constant(LARGEST_CHANGE));
+                is_root = is_root + is_rounding * is_distinct;
+            }
+            (is_root, is_full)
         } else {
             (is_lost, at_most(length, Lanes::constant(FIRST_STEP)))
         };
@@ -67,10 +81,10 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
             root[index] = chosen(arrives, end, root[index]);
             point[index] = chosen(pending, end, point[index]);
         }
-        if !pending.0.iter().any(|left| *left > E::zero()) {
+        if !is_any(pending) {
             break;
         }
-        previous = Some(length);
+        previous = Some((length, determinant));
     }
     point.copy_from_slice(root);
     let missing = root
@@ -78,6 +92,12 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
         .fold(Lanes::constant(0.0), |sum, entry| sum + *entry * Lanes::constant(0.0));
     verdicts::record(missing);
     Ok(())
+}
+
+/// Whether a condition is one in any lane.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn is_any<const W: usize, const FUSED: bool, E: Element>(condition: Lanes<W, FUSED, E>) -> bool {
+    condition.0.iter().any(|lane| *lane > E::zero())
 }
 
 /// One in the lanes where a number is at most another, and zero in the others.
@@ -150,7 +170,7 @@ mod tests {
         let roots = [[1.0, 2.0], [0.8, 1.2], [2.0, -1.0], [-1.0, 0.8]];
         let given = roots.map(|[x, y]: [f64; 2]| [x * x + y, x * y * y * y]);
         let sizes = [3.0, 0.25];
-        for shift in [1e-12, 1e-6, 1e-3, 0.01] {
+        for shift in [0.0, 4e-16, 1e-12, 1e-6, 1e-3, 0.01] {
             let guesses = roots.map(|[x, y]| [x + shift, y - 0.5 * shift]);
             let lanes = |of: &dyn Fn(usize) -> f64| Four::from_fn(of);
             let evaluate = system(lanes(&|lane| given[lane][0]), lanes(&|lane| given[lane][1]));

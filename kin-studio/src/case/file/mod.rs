@@ -1,4 +1,4 @@
-//! `kin run` and `kin check`: mechanisms of people who write no Rust.
+//! `.kin` files: mechanisms of people who write no Rust.
 
 mod assemblies;
 mod joints;

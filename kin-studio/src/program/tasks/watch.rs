@@ -1,4 +1,4 @@
-//! `kin run FILE.kin serve`: the page of a file, made again whenever the file changes.
+//! `kin serve FILE.kin`: the page of a file, made again whenever the file changes.
 
 use std::path::Path;
 use std::sync::Mutex;
