@@ -14,7 +14,7 @@ const LARGEST_MULTIPLIER: f64 = 16.0;
 
 /// The triangular factors of a matrix, ready for any number of right-hand sides.
 ///
-/// Rows and columns are scaled by powers of two, which is exact, until the largest entry of each lies between 1 and 2.
+/// Rows and columns are scaled by powers of two, which is exact, until the largest entry of each lies between 2 and 4.
 /// Then rows are exchanged so that each pivot is the largest of its column. The result therefore does not depend on the
 /// units of equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy and
 /// Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
@@ -35,14 +35,14 @@ pub struct Factors<T, const N: usize> {
 
 /// What was done with a row of a matrix, and with the column of the same number, to find its triangular factors.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FactorRow {
     /// The row of the matrix from which this row of the factors came.
     origin: usize,
     /// The power of two by which this row of the matrix was multiplied.
-    row_exponent: i32,
+    row_scale: f64,
     /// The power of two by which this column was multiplied.
-    column_exponent: i32,
+    column_scale: f64,
 }
 
 /// What an elimination leaves beside the factors.
@@ -133,21 +133,21 @@ pub(super) fn factor_to<T: Scalar>(
     Ok(Elimination { is_odd })
 }
 
-/// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
+/// Multiplies rows and then columns by powers of two until the largest entry of each lies between 2 and 4.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn level<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) {
     let count = rows.len();
     for (entries, row) in entries.chunks_exact_mut(count.max(1)).zip(&mut *rows) {
-        row.row_exponent = levelling::<T>(entries.iter());
+        row.row_scale = levelling::<T>(largest_of(entries.iter()));
         for entry in entries {
-            *entry = *entry * power_of_two(row.row_exponent);
+            *entry = *entry * T::constant(row.row_scale);
         }
     }
     for (column, row) in rows.iter_mut().enumerate() {
         let column = || (0..count).map(|row| row * count + column);
-        row.column_exponent = levelling::<T>(column().map(|index| &entries[index]));
+        row.column_scale = levelling::<T>(largest_of(column().map(|index| &entries[index])));
         for index in column() {
-            entries[index] = entries[index] * power_of_two(row.column_exponent);
+            entries[index] = entries[index] * T::constant(row.column_scale);
         }
     }
 }
@@ -202,13 +202,13 @@ fn eliminate<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow], epsilon: f64)
     (is_odd, is_singular)
 }
 
-/// The solution for a right-hand side given in the order of the original rows. `scale` is the power of two of an
-/// exponent, or one for the solution of the scaled matrix.
+/// The solution for a right-hand side given in the order of the original rows. `scale` is the number for a power of two,
+/// or one for the solution of the scaled matrix.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn substitute<T: Scalar>(
     entries: &[T],
     rows: &[FactorRow],
-    scale: impl Fn(i32) -> T,
+    scale: impl Fn(f64) -> T,
     right: &[T],
     solution: &mut [T],
 ) {
@@ -216,7 +216,7 @@ pub(super) fn substitute<T: Scalar>(
     let each = || entries.chunks_exact(count.max(1)).enumerate();
     for (number, entries) in each() {
         let origin = rows[number].origin;
-        let mut sum = right[origin] * scale(rows[origin].row_exponent);
+        let mut sum = right[origin] * scale(rows[origin].row_scale);
         for (factor, known) in entries[..number].iter().zip(&*solution) {
             sum = sum - *factor * *known;
         }
@@ -230,7 +230,7 @@ pub(super) fn substitute<T: Scalar>(
         solution[number] = sum / entries[number];
     }
     for (entry, row) in solution.iter_mut().zip(rows) {
-        *entry = *entry * scale(row.column_exponent);
+        *entry = *entry * scale(row.column_scale);
     }
 }
 
@@ -249,7 +249,7 @@ impl<T: Scalar> Determinant<T> {
         let (mut pivots, mut exponent) = (T::constant(if is_odd { -1.0 } else { 1.0 }), 0);
         for (number, row) in rows.iter().enumerate() {
             pivots = pivots * entries[number * rows.len() + number];
-            exponent -= row.row_exponent + row.column_exponent;
+            exponent -= exponent_of(row.row_scale) + exponent_of(row.column_scale);
         }
         Self { pivots, exponent }
     }
@@ -291,14 +291,14 @@ pub(super) fn condition(entries: &[f64], rows: &[FactorRow], matrix: &[f64], scr
 pub(super) fn amplification(entries: &[f64], rows: &[FactorRow], matrix: &[f64], scratch: Scratch<'_>) -> f64 {
     let count = rows.len();
     let size = |row: usize| matrix[row * count..][..count].iter().map(|entry| entry.abs()).sum();
-    largest_row_sum(entries, rows, power_of_two, size, scratch)
+    largest_row_sum(entries, rows, |scale| scale, size, scratch)
 }
 
 /// The largest sum of magnitudes along a row of the inverse, each times the weight of its column.
 fn largest_row_sum(
     entries: &[f64],
     rows: &[FactorRow],
-    scale: impl Fn(i32) -> f64,
+    scale: impl Fn(f64) -> f64,
     weight: impl Fn(usize) -> f64,
     [unit, solution, sums]: Scratch<'_>,
 ) -> f64 {
@@ -352,7 +352,9 @@ pub(super) fn larger(one: f64, other: f64) -> f64 {
     if other > one { other } else { one }
 }
 
-fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
+/// The largest magnitude of some numbers.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
     entries.fold(0.0, |largest, entry| larger(largest, entry.leading().abs()))
 }
 
@@ -360,23 +362,22 @@ fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
 fn scaled_norm(matrix: &[f64], rows: &[FactorRow]) -> f64 {
     let count = rows.len();
     let sum = |row: usize| -> f64 {
-        let scaled = (0..count).map(|column| {
-            let entry = matrix[row * count + column] * power_of_two::<f64>(rows[row].row_exponent);
-            (entry * power_of_two::<f64>(rows[column].column_exponent)).abs()
-        });
+        let scaled = (0..count)
+            .map(|column| (matrix[row * count + column] * rows[row].row_scale * rows[column].column_scale).abs());
         scaled.sum()
     };
     (0..count).map(sum).fold(0.0, f64::max)
 }
 
-/// The exponent of the power of two that scales the largest entry to between 1 and 2.
+/// The power of two that scales a positive number to between 2 and 4, as far as both it and its reciprocal have full
+/// precision in the type. It is any power of two for zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
-    let largest = largest_of(entries);
-    if largest == 0.0 {
-        return 0;
-    }
-    (-exponent_of(largest)).clamp(-range::<T>(), range::<T>())
+pub(super) fn levelling<T: Scalar>(largest: f64) -> f64 {
+    let limits = [-range::<T>(), range::<T>()].map(power_of_two::<f64>);
+    let largest = larger(limits[0], largest);
+    let largest = if largest > limits[1] { limits[1] } else { largest };
+    // the complement of an exponent's field is that of its negative, plus one
+    f64::from_bits(!largest.to_bits() & f64::INFINITY.to_bits())
 }
 
 /// The largest exponent for which both the power of two and its reciprocal have full precision in the type.
@@ -426,7 +427,7 @@ impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
     }
 }
 
-/// The largest magnitude of some numbers.
+/// The largest magnitude of the numbers of each pose.
 #[derive(Clone, Copy)]
 struct LargestSize;
 
@@ -501,7 +502,7 @@ mod tests {
         let condition = factors.condition();
         prop_assert!(condition >= 1.0);
         // In the scaled unknowns, the two solutions differ by ε times the condition.
-        let scaled = |entry: f64, column: usize| entry * 2.0_f64.powi(-factors.rows[column].column_exponent);
+        let scaled = |entry: f64, column: usize| entry / factors.rows[column].column_scale;
         let size = (0..N).map(|column| scaled(x[column], column).abs()).fold(0.0, f64::max);
         let tolerance = 16.0 * f64::EPSILON * super::number(N * N) * condition * size;
         for column in 0..N {
@@ -510,7 +511,7 @@ mod tests {
         }
         // nalgebra does not scale, so compare its determinant on the scaled matrix.
         let levelled = SMatrix::<f64, N, N>::from_fn(|row, column| {
-            a[row][column] * 2.0_f64.powi(factors.rows[row].row_exponent + factors.rows[column].column_exponent)
+            a[row][column] * factors.rows[row].row_scale * factors.rows[column].column_scale
         });
         let lu = levelled.lu();
         let Determinant { pivots, .. } = Determinant::of(

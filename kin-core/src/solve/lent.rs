@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::factor::{exponent_of, power_of_two, range};
+use super::factor::{exponent_of, largest_of, levelling};
 
 /// The numbers that the factors of a matrix of this size take.
 pub(crate) const fn lent_factors_length(count: usize) -> usize {
@@ -141,25 +141,16 @@ const fn index(origin: f64) -> usize {
     origin as usize
 }
 
-/// The power of two that scales the largest of some entries to between 1 and 2.
-fn levelling(entries: impl Iterator<Item = f64>) -> f64 {
-    let largest = entries.fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-    if largest == 0.0 {
-        return 1.0;
-    }
-    power_of_two((-exponent_of(largest)).clamp(-range::<f64>(), range::<f64>()))
-}
-
 fn level(entries: &mut [f64], row_scales: &mut [f64], column_scales: &mut [f64]) {
     let count = row_scales.len();
     for (row, scale) in entries.chunks_exact_mut(count.max(1)).zip(row_scales) {
-        *scale = levelling(row.iter().copied());
+        *scale = levelling::<f64>(largest_of(row.iter()));
         for entry in row {
             *entry *= *scale;
         }
     }
     for (column, scale) in column_scales.iter_mut().enumerate() {
-        *scale = levelling(entries.iter().skip(column).step_by(count).copied());
+        *scale = levelling::<f64>(largest_of(entries.iter().skip(column).step_by(count)));
         for entry in entries.iter_mut().skip(column).step_by(count) {
             *entry *= *scale;
         }

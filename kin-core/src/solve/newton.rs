@@ -3,8 +3,7 @@
 use core::array;
 
 use super::factor::{
-    Determinant, FactorRow, amplification, condition, factor_in, factor_to, larger, power_of_two, substitute,
-    substitute_in,
+    Determinant, FactorRow, Scratch, amplification, condition, factor_in, factor_to, larger, substitute, substitute_in,
 };
 use crate::failure::Failure;
 use crate::solve::Scalar;
@@ -275,13 +274,25 @@ struct RealMemory<'m> {
     rows: &'m mut [FactorRow],
 }
 
-/// The step before: its length and its damping, the determinant where it began, and whether it was tested.
+/// A step to a trial: the length of the correction, the part of it that is taken, the determinant where it began, and
+/// whether the trial is tested.
 #[derive(Clone, Copy)]
-struct Before {
+struct Step {
     length: f64,
     part: f64,
     determinant: Determinant<f64>,
     is_tested: bool,
+}
+
+/// What follows from a trial.
+enum Verdict {
+    Accepted,
+    /// The step is rounding, and the trial is the root, or the point before it.
+    Ended {
+        is_at_trial: bool,
+    },
+    /// This part of the correction is tried.
+    Shortened(f64),
 }
 
 /// The root in real numbers. Residuals, Jacobian and corrections are in sizes of the unknowns.
@@ -310,44 +321,98 @@ fn real_root<T: Scalar>(
         three,
     ] = vectors;
     let [jacobian, next_jacobian, factors] = matrices;
-    let count = unknowns.len();
     for (unit, size) in units.iter_mut().zip(sizes) {
         *unit = size.real();
     }
     if !units.iter().all(|size| *size > 0.0 && size.is_finite()) {
         return Err(Failure::not_finite(QUANTITY));
     }
-    for entry in &mut *unknowns {
-        *entry = T::constant(entry.real());
-    }
-    equations.evaluate(unknowns, typed_residuals, typed_jacobian);
-    if !are_real([typed_residuals, typed_jacobian], units, residuals, jacobian) {
-        return Err(Failure::not_finite(QUANTITY));
+    for (entry, guess) in trial.iter_mut().zip(&*unknowns) {
+        *entry = T::constant(guess.real());
     }
     let mut limit = FIRST_STEP;
-    let mut before: Option<Before> = None;
-    // The determinant where rounding ended the last step, if it did: the unknowns are then the root.
-    let mut ended: Option<Determinant<f64>> = None;
-    let mut iteration = 0;
+    let (mut iterations, mut trials) = (0, 0);
+    // the step to the trial, unless that is the guess
+    let mut step: Option<Step> = None;
     loop {
-        // factored here only, as there is much to inline
+        // Equations are evaluated, and factors are found, at one place each, as there is much to inline.
+        equations.evaluate(trial, typed_residuals, typed_jacobian);
+        let is_finite = are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian);
+        let verdict = match step {
+            None if !is_finite => return Err(Failure::not_finite(QUANTITY)),
+            Some(step) if !is_finite => Verdict::Shortened(0.5 * step.part),
+            Some(step) if step.is_tested => {
+                let Step { length, part, .. } = step;
+                corrected(factors, rows, next_residuals, expected);
+                let fall = greatest(expected) / length;
+                let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
+                if fall < 1.0 - 0.25 * part {
+                    // If the equations are nearly linear over a step, the next step may be longer.
+                    if distance(undamped, expected) <= 0.25 * part * length {
+                        limit *= 2.0;
+                    }
+                    before_expected.copy_from_slice(expected);
+                    Verdict::Accepted
+                } else if is_rounding::<T>(length, unknowns, units, rows, [factors, jacobian], [one, two, three]) {
+                    Verdict::Ended {
+                        is_at_trial: fall < 1.0,
+                    }
+                } else {
+                    let estimate = 0.5 * length * part * part / distance(undamped, expected);
+                    // Shorten to a tenth at most: the estimate is rough if the step was much too long.
+                    Verdict::Shortened(if estimate < 0.5 * part {
+                        estimate.max(0.1 * part)
+                    } else {
+                        0.5 * part
+                    })
+                }
+            }
+            _ => Verdict::Accepted,
+        };
+        let mut ended = None;
+        match (verdict, &mut step) {
+            (Verdict::Shortened(part), Some(step)) => {
+                trials += 1;
+                if trials == TRIALS {
+                    return Err(not_converged(
+                        residuals,
+                        iterations,
+                        rows,
+                        [factors, jacobian],
+                        [one, two, three],
+                    ));
+                }
+                (step.part, step.is_tested) = (part, true);
+                moved(unknowns, correction, part, units, trial);
+                continue;
+            }
+            (Verdict::Ended { is_at_trial }, Some(step)) => {
+                if is_at_trial {
+                    unknowns.copy_from_slice(trial);
+                }
+                ended = Some(step.determinant);
+            }
+            _ => {
+                iterations += u32::from(step.is_some());
+                unknowns.copy_from_slice(trial);
+                residuals.copy_from_slice(next_residuals);
+            }
+        }
+        jacobian.copy_from_slice(next_jacobian);
+
         factors.copy_from_slice(jacobian);
         let elimination = factor_to(factors, rows, T::EPSILON)?;
         let determinant = Determinant::of(factors, rows, elimination.is_odd);
-        if let Some(previous) = ended {
-            return distinct(Some(previous), determinant);
+        if ended.is_some() {
+            return distinct(ended, determinant);
         }
-        let not_converged = |residuals: &[f64], factors: &[f64], rows: &[FactorRow], scratch| Failure::NotConverged {
-            residual: greatest(residuals),
-            iterations: iteration,
-            condition: condition(factors, rows, jacobian, scratch),
-        };
-        if iteration == ITERATIONS {
+        if iterations == ITERATIONS {
             return Err(not_converged(
                 residuals,
-                factors,
+                iterations,
                 rows,
-                [&mut *one, &mut *two, &mut *three],
+                [factors, jacobian],
+                [one, two, three],
             ));
         }
         corrected(factors, rows, residuals, correction);
@@ -355,33 +420,19 @@ fn real_root<T: Scalar>(
         if !length.is_finite() {
             return Err(not_converged(
                 residuals,
-                factors,
+                iterations,
                 rows,
-                [&mut *one, &mut *two, &mut *three],
+                [factors, jacobian],
+                [one, two, three],
             ));
         }
-        let is_lost = |index: usize| {
-            let size = larger(units[index], unknowns[index].real().abs());
-            correction[index].abs() * units[index] <= T::EPSILON * size
-        };
-        let is_lost = (0..count).all(is_lost);
-        let mut is_rounding = |unknowns: &[T]| {
-            if length * length <= LINEAR_STEP * T::EPSILON {
-                return true;
-            }
-            let sizes = unknowns.iter().zip(&*units);
-            let size = sizes.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
-            let scratch = [&mut *one, &mut *two, &mut *three];
-            length <= 16.0 * T::EPSILON * size * amplification(factors, rows, jacobian, scratch)
-        };
-        let is_stalled =
-            before.is_some_and(|step| step.part == 1.0 && length >= 0.5 * step.length) && is_rounding(unknowns);
-        // How the correction compares with the one before, if that was taken in full.
-        let contraction = match before {
+        // how the correction compares with the one before, if that was taken in full
+        let contraction = match step {
             Some(step) if step.part == 1.0 => length / step.length,
             _ => f64::INFINITY,
         };
         let is_foretold = contraction <= QUADRATIC && contraction * contraction * length <= NEGLIGIBLE * T::EPSILON;
+        let is_lost = is_lost::<T>(correction, unknowns, units);
         if is_lost || is_foretold {
             moved(unknowns, correction, 1.0, units, trial);
             unknowns.copy_from_slice(trial);
@@ -389,86 +440,80 @@ fn real_root<T: Scalar>(
         if is_foretold {
             return Ok(());
         }
+        let is_stalled = (0.5..f64::INFINITY).contains(&contraction)
+            && is_rounding::<T>(length, unknowns, units, rows, [factors, jacobian], [one, two, three]);
         if is_lost || is_stalled {
-            return distinct(before.map(|step| step.determinant), determinant);
+            return distinct(step.map(|step| step.determinant), determinant);
         }
 
         let is_converging = contraction <= CONVERGING;
-        let foreseen = match before {
-            Some(step) if step.is_tested && !is_converging => {
+        let part = match step {
+            // the step before was within the limit
+            _ if is_converging => 1.0,
+            Some(step) if step.is_tested => {
                 let fall = distance(before_expected.iter().copied(), correction);
-                step.part * step.length * greatest(before_expected) / (fall * length)
+                let foreseen = step.part * step.length * greatest(before_expected) / (fall * length);
+                // A quotient of zero by zero means a perfect forecast.
+                let foreseen = if foreseen < 1.0 {
+                    foreseen.max(SMALLEST_PART)
+                } else {
+                    1.0
+                };
+                foreseen.min(limit / length)
             }
-            _ => 1.0,
+            _ => (limit / length).min(1.0),
         };
-        // A quotient of zero by zero means a perfect forecast.
-        let foreseen = if foreseen < 1.0 {
-            foreseen.max(SMALLEST_PART)
-        } else {
-            1.0
-        };
-        let mut part = foreseen.min(limit / length);
-        let (mut is_accepted, mut is_tested) = (false, true);
-        for _ in 0..TRIALS {
-            moved(unknowns, correction, part, units, trial);
-            let mut advice = 0.5 * part;
-            equations.evaluate(trial, typed_residuals, typed_jacobian);
-            if are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian) {
-                is_tested = !(is_converging && part == 1.0);
-                if !is_tested {
-                    is_accepted = true;
-                    break;
-                }
-                corrected(factors, rows, next_residuals, expected);
-                let fall = greatest(expected) / length;
-                if fall < 1.0 - 0.25 * part {
-                    is_accepted = true;
-                    break;
-                }
-                if is_rounding(unknowns) {
-                    if fall < 1.0 {
-                        unknowns.copy_from_slice(trial);
-                    }
-                    ended = Some(determinant);
-                    break;
-                }
-                let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
-                let estimate = 0.5 * length * part * part / distance(undamped, expected);
-                // Shorten to a tenth at most: the estimate is rough if the step was much too long.
-                if estimate < advice {
-                    advice = estimate.max(0.1 * part);
-                }
-            }
-            part = advice;
-        }
-        if is_accepted {
-            if is_tested {
-                // If the equations are nearly linear over a step, the next step may be longer.
-                let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
-                if distance(undamped, expected) <= 0.25 * part * length {
-                    limit *= 2.0;
-                }
-                before_expected.copy_from_slice(expected);
-            }
-            before = Some(Before {
-                length,
-                part,
-                determinant,
-                is_tested,
-            });
-            unknowns.copy_from_slice(trial);
-            residuals.copy_from_slice(next_residuals);
-        } else if ended.is_none() {
-            return Err(not_converged(
-                residuals,
-                factors,
-                rows,
-                [&mut *one, &mut *two, &mut *three],
-            ));
-        }
-        jacobian.copy_from_slice(next_jacobian);
-        iteration += 1;
+        moved(unknowns, correction, part, units, trial);
+        trials = 0;
+        step = Some(Step {
+            length,
+            part,
+            determinant,
+            is_tested: !is_converging,
+        });
     }
+}
+
+/// The failure of an iteration, with the condition of the Jacobian where it ends.
+fn not_converged(
+    residuals: &[f64],
+    iterations: u32,
+    rows: &[FactorRow],
+    [factors, jacobian]: [&[f64]; 2],
+    scratch: Scratch<'_>,
+) -> Failure {
+    Failure::NotConverged {
+        residual: greatest(residuals),
+        iterations,
+        condition: condition(factors, rows, jacobian, scratch),
+    }
+}
+
+/// Whether a correction disappears in every unknown.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn is_lost<T: Scalar>(correction: &[f64], unknowns: &[T], units: &[f64]) -> bool {
+    (0..units.len()).all(|index| {
+        let size = larger(units[index], unknowns[index].real().abs());
+        correction[index].abs() * units[index] <= T::EPSILON * size
+    })
+}
+
+/// Whether the rounding of residuals explains a correction of this length.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn is_rounding<T: Scalar>(
+    length: f64,
+    unknowns: &[T],
+    units: &[f64],
+    rows: &[FactorRow],
+    [factors, jacobian]: [&[f64]; 2],
+    scratch: Scratch<'_>,
+) -> bool {
+    if length * length <= LINEAR_STEP * T::EPSILON {
+        return true;
+    }
+    let sizes = unknowns.iter().zip(units);
+    let size = sizes.fold(1.0, |size: f64, (entry, unit)| size.max(entry.real().abs() / unit));
+    length <= 16.0 * T::EPSILON * size * amplification(factors, rows, jacobian, scratch)
 }
 
 /// Writes the real parts of residuals and Jacobian, the latter in the units of the unknowns, and returns whether all
@@ -490,7 +535,7 @@ fn are_real<T: Scalar>(typed: [&[T]; 2], units: &[f64], residuals: &mut [f64], j
 /// The correction that removes the residuals.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn corrected(factors: &[f64], rows: &[FactorRow], residuals: &[f64], correction: &mut [f64]) {
-    substitute(factors, rows, power_of_two, residuals, correction);
+    substitute(factors, rows, |scale| scale, residuals, correction);
     for entry in correction {
         *entry = -*entry;
     }

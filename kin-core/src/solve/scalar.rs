@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::number::series::SeriesOf;
 use crate::number::{Changing, Number, real_parts};
 use crate::solve::check::{Check, Choose, Measure, Negative, RowMeasure, SameSide};
-use crate::solve::factor::{Elimination, FactorRow, checked_factors, power_of_two, substitute};
+use crate::solve::factor::{Elimination, FactorRow, checked_factors, substitute};
 use crate::solve::newton::{Equations, NewtonMemory, damped_root};
 
 /// A number with which a mechanism can be solved: a [`Number`] that can also decide.
@@ -221,7 +221,7 @@ pub trait Scalar: Number {
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn substituted(entries: &[Self], rows: &[FactorRow], right: &[Self], solution: &mut [Self]) {
-        substitute(entries, rows, power_of_two, right, solution);
+        substitute(entries, rows, Self::constant, right, solution);
     }
 
     /// See [`solve::newton_in`](crate::solve::newton_in()).

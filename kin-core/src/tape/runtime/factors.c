@@ -10,8 +10,8 @@ typedef struct {
     double entries[KIN_UNKNOWNS][KIN_UNKNOWNS];
     /* The row of the matrix from which each row came. */
     int origins[KIN_UNKNOWNS];
-    int row_exponents[KIN_UNKNOWNS];
-    int column_exponents[KIN_UNKNOWNS];
+    double row_scales[KIN_UNKNOWNS];
+    double column_scales[KIN_UNKNOWNS];
     /* Whether an odd number of pairs of rows was exchanged. */
     int odd;
 } kin_factors;
@@ -24,14 +24,14 @@ static int kin_clamped(int exponent)
     return exponent < -KIN_EXPONENTS ? -KIN_EXPONENTS : exponent;
 }
 
-/* The exponent of the power of two that scales a number to between 1 and 2. */
-static int kin_levelling(double largest)
+/* The power of two that scales a number to between 2 and 4. */
+static double kin_levelling(double largest)
 {
     int exponent = 1;
     if (largest > 0.0) {
         (void)frexp(largest, &exponent);
     }
-    return kin_clamped(1 - exponent);
+    return ldexp(1.0, 1 - kin_clamped(exponent - 1));
 }
 
 /* The product of the pivots, which is the determinant of the scaled matrix. */
@@ -49,7 +49,10 @@ static int kin_exponent(int count, const kin_factors *factors)
 {
     int sum = 0;
     for (int index = 0; index < count; index++) {
-        sum += factors->row_exponents[index] + factors->column_exponents[index];
+        int row, column;
+        (void)frexp(factors->row_scales[index], &row);
+        (void)frexp(factors->column_scales[index], &column);
+        sum += row - 1 + column - 1;
     }
     return -sum;
 }
@@ -71,12 +74,12 @@ static int kin_factor(int count, kin_factors *factors, double *detail)
             }
             size = entry > size ? entry : size;
         }
-        factors->row_exponents[row] = kin_levelling(size);
+        factors->row_scales[row] = kin_levelling(size);
         factors->origins[row] = row;
     }
     for (int row = 0; row < count; row++) {
         for (int column = 0; column < count; column++) {
-            factors->entries[row][column] = ldexp(factors->entries[row][column], factors->row_exponents[row]);
+            factors->entries[row][column] *= factors->row_scales[row];
         }
     }
     for (int column = 0; column < count; column++) {
@@ -85,9 +88,9 @@ static int kin_factor(int count, kin_factors *factors, double *detail)
             const double entry = fabs(factors->entries[row][column]);
             size = entry > size ? entry : size;
         }
-        factors->column_exponents[column] = kin_levelling(size);
+        factors->column_scales[column] = kin_levelling(size);
         for (int row = 0; row < count; row++) {
-            factors->entries[row][column] = ldexp(factors->entries[row][column], factors->column_exponents[column]);
+            factors->entries[row][column] *= factors->column_scales[column];
             if (fabs(factors->entries[row][column]) > largest) {
                 largest = fabs(factors->entries[row][column]);
             }
@@ -144,7 +147,7 @@ static void kin_substitute(int count, const kin_factors *factors, const double *
     /* The compiler does not know that a matrix has at most as many rows as there are places. */
     for (int row = 0; row < count && row < KIN_UNKNOWNS; row++) {
         const int origin = factors->origins[row];
-        double sum = ldexp(right[origin], factors->row_exponents[origin]);
+        double sum = right[origin] * factors->row_scales[origin];
         for (int column = 0; column < row; column++) {
             const double product = factors->entries[row][column] * solution[column];
             sum = sum - product;
@@ -160,6 +163,6 @@ static void kin_substitute(int count, const kin_factors *factors, const double *
         solution[row] = sum / factors->entries[row][row];
     }
     for (int row = 0; row < count; row++) {
-        solution[row] = ldexp(solution[row], factors->column_exponents[row]);
+        solution[row] *= factors->column_scales[row];
     }
 }

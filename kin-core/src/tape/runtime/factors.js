@@ -12,7 +12,7 @@ function kinClamped(exponent) {
 }
 
 /**
- * The power of two with an exponent of at most KIN_EXPONENTS.
+ * The power of two with an exponent of at most KIN_EXPONENTS + 1.
  * @param {number} exponent
  * @returns {number}
  */
@@ -23,16 +23,16 @@ function kinPowerOfTwo(exponent) {
 }
 
 /**
- * The exponent of the power of two that scales a number to between 1 and 2.
+ * The exponent of the power of two that scales a number to between 2 and 4.
  * @param {number} largest
  * @returns {number}
  */
 function kinLevelling(largest) {
   if (largest === 0) {
-    return 0;
+    return 1;
   }
   kinBits.setFloat64(0, largest);
-  return kinClamped(1023 - ((kinBits.getUint32(0) >>> 20) & 2047));
+  return 1 + kinClamped(1023 - ((kinBits.getUint32(0) >>> 20) & 2047));
 }
 
 /**

@@ -12,8 +12,8 @@ def _clamped(exponents: Array) -> Array:
 
 
 def _levelling(largest: Array) -> Array:
-    """The exponents of the powers of two that scale numbers to between 1 and 2."""
-    return np.where(largest > 0.0, _clamped(1 - np.frexp(largest)[1]), 0)
+    """The exponents of the powers of two that scale numbers to between 2 and 4."""
+    return np.where(largest > 0.0, 1 - _clamped(np.frexp(largest)[1] - 1), 1)
 
 
 class _Factors:
