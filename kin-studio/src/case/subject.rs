@@ -223,6 +223,12 @@ impl Subject {
         self.functions.description()
     }
 
+    /// Its equations and their solution, as in a textbook.
+    #[cfg(feature = "program")]
+    pub(crate) fn formulas(&self) -> kin_core::any::Formulas<'_> {
+        self.functions.formulas()
+    }
+
     /// A text of kin-core with the names of the mechanism in the place of their indices.
     pub(crate) fn named(&self, text: impl fmt::Display) -> String {
         Named::new(text, self.description()).to_string()

@@ -36,7 +36,8 @@ fn help() {
 #[test]
 fn list_and_show() {
     assert_snapshot!("list", typed("list", "kin list"));
-    assert_snapshot!("show", typed("show", "kin show slider_crank"));
+    let shown = ["slider_crank", "rssr"].map(|name| typed("show", &format!("kin show {name}")));
+    assert_snapshot!("show", shown.join("\n"));
 }
 
 #[test]

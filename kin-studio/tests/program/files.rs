@@ -60,7 +60,7 @@ fn a_file_takes_every_command() {
         &done(&["peaks", "wiper.kin", "--of", "psi"]),
         "theta moves at 270 deg/s\n",
     );
-    says(&done(&["show", "wiper.kin"]), "  crank * cis(theta) + rod * cis(phi)");
+    says(&done(&["show", "wiper.kin"]), "  crank e^(i θ) + rod e^(i φ) = ");
     says(&done(&["verify", "wiper.kin"]), "Wiper: passed, ");
     says(&done(&["code", "wiper.kin", "c"]), "wiper.c: ");
 

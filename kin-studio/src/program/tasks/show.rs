@@ -42,9 +42,17 @@ fn shown(subject: &Subject, settings: &Settings) -> Result<String, Fault> {
             let _ = write!(out, "\n{}", section(head, quantities, values, units));
         }
     }
-    out.push_str("\nequations\n");
-    for equation in description.equations {
-        let _ = writeln!(out, "  {equation}");
+    let formulas = subject.formulas();
+    for (head, formula) in [
+        ("equations", formulas.closure),
+        ("equations of the outputs", formulas.outputs),
+    ] {
+        if !formula.text.is_empty() {
+            let _ = write!(out, "\n{head}\n");
+        }
+        for line in formula.text.lines() {
+            let _ = writeln!(out, "  {line}");
+        }
     }
     out.push_str("\nsolution\n");
     for block in description.blocks {
