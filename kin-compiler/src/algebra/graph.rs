@@ -1,14 +1,13 @@
 //! The graph: its nodes, their contents, and the search for equal nodes.
 
-use std::collections::BTreeSet;
 use std::fmt::{self, Display, Formatter};
 use std::num::FpCategory;
 use std::sync::Arc;
 
-use super::HashMap;
 use super::content::{Content, Contents};
 use super::harmonic::{Expanded, ExpandedKey};
 use super::probe::POINTS;
+use super::{HashMap, Index, IndexTable};
 use crate::algebra::Function;
 use crate::work;
 
@@ -19,6 +18,12 @@ pub(crate) struct Node(pub(super) u32);
 impl Node {
     pub(crate) const fn index(self) -> usize {
         self.0 as usize
+    }
+}
+
+impl Index for Node {
+    fn index(self) -> usize {
+        self.index()
     }
 }
 
@@ -223,15 +228,24 @@ impl Graph {
     }
 
     /// The given nodes and all nodes below them, in ascending order.
-    pub(crate) fn reachable(&self, roots: &[Node]) -> BTreeSet<Node> {
-        let mut seen = BTreeSet::new();
+    pub(crate) fn reachable(&self, roots: &[Node]) -> Vec<Node> {
+        let mut seen = IndexTable::default();
         let mut pending = roots.to_vec();
+        let mut found = Vec::new();
         while let Some(node) = pending.pop() {
-            if seen.insert(node) {
-                pending.extend(self.operands(node));
+            if seen.get(node).is_none() {
+                seen.insert(node, ());
+                found.push(node);
+                match self.kind(node) {
+                    NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => {}
+                    NodeKind::Sum(_, terms) => pending.extend(terms.iter().map(|&(operand, _)| operand)),
+                    NodeKind::Product(factors) => pending.extend(factors.iter().map(|&(operand, _)| operand)),
+                    NodeKind::Call(_, arguments) => pending.extend_from_slice(arguments),
+                }
             }
         }
-        seen
+        found.sort_unstable();
+        found
     }
 
     /// Whether an expression consists of parameters, inputs and unknowns alone: it contains no time derivative and no

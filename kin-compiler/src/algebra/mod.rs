@@ -17,6 +17,7 @@ mod partial;
 mod print;
 mod probe;
 mod substitute;
+mod table;
 
 pub use function::Function;
 pub(crate) use function::{Calculation, Checked, Gives, Inverse, InverseFunction, Takes, WorkUnit};
@@ -25,3 +26,4 @@ pub(crate) use graph::{FiniteNumber, Graph, Misfit, Node, NodeKind, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, TrigonometricPolynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;
+pub(crate) use table::{Index, IndexTable};

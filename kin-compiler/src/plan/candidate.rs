@@ -13,7 +13,7 @@ use crate::passes::{Pass, Passes};
 use crate::program::{
     Approach, Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, Trials, order_name,
 };
-use crate::schedule::{Style, schedule};
+use crate::schedule::{Style, hand_on, schedule};
 use crate::work;
 
 /// A program that was derived in one way, and its schedule.
@@ -72,6 +72,7 @@ impl Candidate {
 
     /// The solvers, with the programs beside them.
     pub(super) fn finish(mut self, task: &Task<'_>, trials: Vec<Trial>, is_form_given_up: bool) -> Solvers {
+        hand_on(&mut self.scheduled);
         let extras = extras(task, &mut self.graph, &self.program.names, &self.choices);
         let telltales = telltales(&mut self.graph, &self.program.stages);
         Solvers {

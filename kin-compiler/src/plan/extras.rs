@@ -10,7 +10,7 @@ use crate::passes::Passes;
 use crate::program::{
     Choice, ClosureTerms, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
 };
-use crate::schedule::{Style, schedule};
+use crate::schedule::{Style, hand_on, schedule};
 use crate::structure::{Block, block_forms, closure_polynomials, dyads};
 
 /// The programs beside the motion.
@@ -49,7 +49,10 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> (Progra
             symbols.push(symbol);
         }
     }
-    (scheduled(graph, steps, names), symbols)
+    (
+        scheduled(graph, &Program::single(steps, names), Style::plain(Passes::ALL)),
+        symbols,
+    )
 }
 
 /// The program that goes through all positions.
@@ -61,7 +64,7 @@ fn every(task: &Task<'_>) -> Option<Program<Expression>> {
     let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, &task.ranges, task.passes)?;
     let program = Program::single(stage.steps, names);
     let style = Style::checked(task.passes);
-    Some(schedule(&graph, &program, &[], style))
+    Some(scheduled(&graph, &program, style))
 }
 
 /// All dyads, and the program of their angles.
@@ -81,7 +84,7 @@ fn transmission_angles(mut graph: Graph, task: &Task<'_>) -> TransmissionAngles 
             (dyad, symbols)
         })
         .collect();
-    let program = scheduled(&graph, steps, names);
+    let program = scheduled(&graph, &Program::single(steps, names), Style::plain(Passes::ALL));
     TransmissionAngles { dyads, program }
 }
 
@@ -174,10 +177,16 @@ impl Components {
     }
 
     fn program(self, graph: &Graph) -> Program<Expression> {
-        scheduled(graph, self.steps, self.names)
+        scheduled(
+            graph,
+            &Program::single(self.steps, self.names),
+            Style::plain(Passes::ALL),
+        )
     }
 }
 
-fn scheduled(graph: &Graph, steps: Vec<Step<Node>>, names: Names) -> Program<Expression> {
-    schedule(graph, &Program::single(steps, names), &[], Style::plain(Passes::ALL))
+fn scheduled(graph: &Graph, program: &Program<Node>, style: Style) -> Program<Expression> {
+    let mut scheduled = schedule(graph, program, &[], style);
+    hand_on(&mut scheduled);
+    scheduled
 }

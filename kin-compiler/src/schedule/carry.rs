@@ -7,7 +7,7 @@ use crate::program::{Carried, Expression, Program, Step};
 use crate::work;
 
 /// Finds the values that each stage of a scheduled program hands to later stages.
-pub(super) fn hand_on(program: &mut Program<Expression>) {
+pub(crate) fn hand_on(program: &mut Program<Expression>) {
     let last = program.stages.len();
     // methods of the mechanism itself read its parameters directly
     let has_parameters = |stage: usize| stage == 0 || (program.has_sensitivities && stage + 1 == last);
@@ -84,7 +84,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
     let names = &program.names;
     let by_name = |values: &mut BTreeSet<Carried>| {
         let mut values: Vec<Carried> = std::mem::take(values).into_iter().collect();
-        values.sort_by_key(|carried| names.of(carried.symbol));
+        values.sort_by_cached_key(|carried| names.of(carried.symbol));
         values
     };
     for (index, stage) in program.stages.iter_mut().enumerate() {

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::style::Style;
-use crate::algebra::{FiniteNumber, Function, Graph, HashMap, Node, NodeKind, Symbol};
+use crate::algebra::{FiniteNumber, Function, Graph, HashMap, Index, IndexTable, Node, NodeKind, Symbol};
 use crate::passes::Pass;
 use crate::work;
 
@@ -15,6 +15,12 @@ const WIDEST: usize = 64;
 /// The index of a line.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct LineId(pub(super) usize);
+
+impl Index for LineId {
+    fn index(self) -> usize {
+        self.0
+    }
+}
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Line {
@@ -33,7 +39,7 @@ pub(super) enum Line {
 pub(super) struct Lines {
     pub(super) list: Vec<Line>,
     known: HashMap<Line, LineId>,
-    by_node: BTreeMap<Node, LineId>,
+    by_node: IndexTable<Node, LineId>,
     /// The divisors of more than one product. Their reciprocals are computed once.
     shared_divisors: BTreeSet<Node>,
     shared_reciprocals: BTreeSet<LineId>,
@@ -41,11 +47,10 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// An empty list. Divisors that occur more than once in the given expressions will be inverted once.
-    pub(super) fn new(graph: &Graph, roots: &[Node], style: Style) -> Self {
-        let reachable = graph.reachable(roots);
+    /// An empty list. Divisors that occur more than once among the given expressions will be inverted once.
+    pub(super) fn new(graph: &Graph, reachable: &[Node], style: Style) -> Self {
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
-        for &node in &reachable {
+        for &node in reachable {
             if let NodeKind::Product(factors) = graph.kind(node) {
                 for &(base, _) in factors.iter().filter(|&&(_, exponent)| exponent < 0) {
                     *divisions.entry(base).or_insert(0) += 1;
@@ -60,17 +65,17 @@ impl Lines {
         Self {
             list: Vec::new(),
             known: HashMap::default(),
-            by_node: BTreeMap::new(),
+            by_node: IndexTable::default(),
             shared_divisors,
             shared_reciprocals: BTreeSet::new(),
             style,
         }
     }
 
-    /// Adds the lines of expressions.
-    pub(super) fn extend(&mut self, graph: &Graph, roots: &[Node]) {
-        for node in graph.reachable(roots) {
-            if !self.by_node.contains_key(&node) {
+    /// Adds the lines of expressions, each after its parts.
+    pub(super) fn extend(&mut self, graph: &Graph, reachable: &[Node]) {
+        for &node in reachable {
+            if self.by_node.get(node).is_none() {
                 let line = self.lower(graph, node);
                 self.by_node.insert(node, line);
             }
@@ -83,7 +88,7 @@ impl Lines {
 
     /// The line of an expression that is a root or a part of one.
     pub(super) fn of_node(&self, node: Node) -> LineId {
-        self.by_node[&node]
+        self.by_node.get(node).expect("its line is written")
     }
 
     pub(super) fn intern(&mut self, line: Line) -> LineId {
@@ -143,13 +148,13 @@ impl Lines {
             NodeKind::Pi => self.intern(Line::Pi),
             NodeKind::Symbol(symbol) => self.intern(Line::Leaf(*symbol)),
             NodeKind::Call(function, arguments) => {
-                let arguments = arguments.iter().map(|argument| self.by_node[argument]).collect();
+                let arguments = arguments.iter().map(|argument| self.of_node(*argument)).collect();
                 self.intern(Line::Call(*function, arguments))
             }
             NodeKind::Product(factors) => {
                 let (mut above, mut still, mut below) = (Vec::new(), Vec::new(), Vec::new());
                 for &(base, exponent) in factors {
-                    let line = self.by_node[&base];
+                    let line = self.of_node(base);
                     let (list, factor) = if exponent > 0 {
                         (&mut above, line)
                     } else if self.shared_divisors.contains(&base) {
@@ -180,7 +185,7 @@ impl Lines {
                 // terms with the same number in front share one multiplication
                 let mut groups: Vec<(f64, Vec<(bool, LineId)>)> = Vec::new();
                 for &(part, coefficient) in terms {
-                    let (value, line) = (coefficient.get(), self.by_node[&part]);
+                    let (value, line) = (coefficient.get(), self.of_node(part));
                     let size = value.abs();
                     let shares = size == 1.0 || self.style.passes.include(Pass::SharedNumbers);
                     match groups.iter_mut().find(|(known, _)| shares && *known == size) {

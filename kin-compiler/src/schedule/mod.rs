@@ -12,5 +12,6 @@ mod scheduler;
 mod share;
 mod style;
 
+pub(crate) use carry::hand_on;
 pub(crate) use scheduler::schedule;
 pub(crate) use style::Style;

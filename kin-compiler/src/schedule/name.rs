@@ -44,8 +44,8 @@ impl Scheduler<'_> {
                 let argument = self.part(arguments[0]).unwrap_or_else(|| "angle".to_owned());
                 format!("{}_{argument}", function.name())
             }
-            Operation::Multiply(a, b) if a == b => format!("{}_squared", self.part(a)?),
-            Operation::Multiply(a, b) => {
+            Operation::Multiply([a, b]) if a == b => format!("{}_squared", self.part(a)?),
+            Operation::Multiply([a, b]) => {
                 let (a, b) = (self.part(a)?, self.part(b)?);
                 if b == format!("{a}_squared") {
                     format!("{a}_cubed")
@@ -53,16 +53,16 @@ impl Scheduler<'_> {
                     format!("{a}_{b}")
                 }
             }
-            Operation::Divide(a, b) => {
+            Operation::Divide([a, b]) => {
                 let divisor = self.hints.get(&b).cloned().or_else(|| self.part(b))?;
                 match self.part(a)? {
                     one if one == "1" => format!("inverse_{divisor}"),
                     dividend => format!("{dividend}_per_{divisor}"),
                 }
             }
-            Operation::Add(a, b) => format!("{}_plus_{}", self.part(a)?, self.part(b)?),
-            Operation::Subtract(a, b) => format!("{}_minus_{}", self.part(a)?, self.part(b)?),
-            Operation::Negate(a) => format!("minus_{}", self.part(a)?),
+            Operation::Add([a, b]) => format!("{}_plus_{}", self.part(a)?, self.part(b)?),
+            Operation::Subtract([a, b]) => format!("{}_minus_{}", self.part(a)?, self.part(b)?),
+            Operation::Negate([a]) => format!("minus_{}", self.part(a)?),
         };
         // a name must not begin with a digit
         let is_name = !phrase.starts_with(|first: char| first.is_ascii_digit());
@@ -71,8 +71,8 @@ impl Scheduler<'_> {
 
     /// The name of a value, or its description if it has no name.
     fn part(&self, value: OperationId) -> Option<String> {
-        match self.bound.get(&value) {
-            Some(&symbol) => Some(self.names.of(symbol).to_owned()),
+        match self.bound.get(value) {
+            Some(symbol) => Some(self.names.of(symbol).to_owned()),
             None => self.phrase(value),
         }
     }

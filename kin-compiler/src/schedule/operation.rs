@@ -1,35 +1,41 @@
 //! Lines as binary operations.
 
-use std::collections::BTreeMap;
-
 use super::lines::{Line, LineId, Lines};
-use crate::algebra::{FiniteNumber, Function, HashMap, Symbol};
+use crate::algebra::{FiniteNumber, Function, HashMap, Index, IndexTable, Symbol};
 use crate::program::Cost;
 
 /// The index of an operation; operands have lower indices.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct OperationId(pub(super) usize);
 
+impl Index for OperationId {
+    fn index(self) -> usize {
+        self.0
+    }
+}
+
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
     Number(FiniteNumber),
     Pi,
     Leaf(Symbol),
-    Add(OperationId, OperationId),
-    Subtract(OperationId, OperationId),
-    Multiply(OperationId, OperationId),
-    Divide(OperationId, OperationId),
-    Negate(OperationId),
+    Add([OperationId; 2]),
+    Subtract([OperationId; 2]),
+    Multiply([OperationId; 2]),
+    Divide([OperationId; 2]),
+    Negate([OperationId; 1]),
     Call(Function, Vec<OperationId>),
 }
 
 impl Operation {
-    pub(super) fn operands(&self) -> Vec<OperationId> {
+    pub(super) fn operands(&self) -> &[OperationId] {
         match self {
-            Self::Number(_) | Self::Pi | Self::Leaf(_) => Vec::new(),
-            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => vec![*a, *b],
-            Self::Negate(a) => vec![*a],
-            Self::Call(_, arguments) => arguments.clone(),
+            Self::Number(_) | Self::Pi | Self::Leaf(_) => &[],
+            Self::Add(operands) | Self::Subtract(operands) | Self::Multiply(operands) | Self::Divide(operands) => {
+                operands
+            }
+            Self::Negate(operand) => operand,
+            Self::Call(_, arguments) => arguments,
         }
     }
 
@@ -54,7 +60,7 @@ impl Operation {
 pub(super) struct OperationList {
     pub(super) list: Vec<Operation>,
     known: HashMap<Operation, OperationId>,
-    by_line: BTreeMap<LineId, OperationId>,
+    by_line: IndexTable<LineId, OperationId>,
 }
 
 impl OperationList {
@@ -83,7 +89,7 @@ impl OperationList {
 
     /// The operations of a line.
     pub(super) fn lower(&mut self, lines: &Lines, line: LineId) -> OperationId {
-        if let Some(&value) = self.by_line.get(&line) {
+        if let Some(value) = self.by_line.get(line) {
             return value;
         }
         let value = match lines.line(line).clone() {
@@ -92,7 +98,7 @@ impl OperationList {
             Line::Leaf(symbol) => self.intern(Operation::Leaf(symbol)),
             Line::Quotient(above, below) => {
                 let (above, below) = (self.lower(lines, above), self.lower(lines, below));
-                self.intern(Operation::Divide(above, below))
+                self.intern(Operation::Divide([above, below]))
             }
             Line::Call(function, arguments) => {
                 let arguments = arguments
@@ -107,7 +113,7 @@ impl OperationList {
                     let factor = self.lower(lines, factor);
                     product = Some(match product {
                         None => factor,
-                        Some(before) => self.intern(Operation::Multiply(before, factor)),
+                        Some(before) => self.intern(Operation::Multiply([before, factor])),
                     });
                 }
                 product.expect("products have factors")
@@ -119,25 +125,25 @@ impl OperationList {
                     let term = self.lower(lines, term);
                     sum = Some(match sum {
                         None => term,
-                        Some(before) => self.intern(Operation::Add(before, term)),
+                        Some(before) => self.intern(Operation::Add([before, term])),
                     });
                 }
                 let mut opposite = None;
                 for (_, term) in negative {
                     let term = self.lower(lines, term);
                     match sum {
-                        Some(before) => sum = Some(self.intern(Operation::Subtract(before, term))),
+                        Some(before) => sum = Some(self.intern(Operation::Subtract([before, term]))),
                         None => {
                             opposite = Some(match opposite {
                                 None => term,
-                                Some(before) => self.intern(Operation::Add(before, term)),
+                                Some(before) => self.intern(Operation::Add([before, term])),
                             });
                         }
                     }
                 }
                 match (sum, opposite) {
                     (Some(sum), _) => sum,
-                    (None, Some(opposite)) => self.intern(Operation::Negate(opposite)),
+                    (None, Some(opposite)) => self.intern(Operation::Negate([opposite])),
                     (None, None) => unreachable!("sums have terms"),
                 }
             }

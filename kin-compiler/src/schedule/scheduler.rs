@@ -1,13 +1,12 @@
 //! Operations as steps: the values that get a name, and the stage that computes each value.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use super::carry;
 use super::lines::Lines;
 use super::operation::{Operation, OperationId, OperationList};
 use super::share;
 use super::style::Style;
-use crate::algebra::{Checked, Function, Graph, Node, Symbol};
+use crate::algebra::{Checked, Function, Graph, IndexTable, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::{Cost, Expression, Mode, Names, Program, Solver, Stage, Step};
 use crate::work;
@@ -30,7 +29,7 @@ pub(super) struct Scheduler<'a> {
     /// The usage by value; zero uses for an unused value.
     usage: Vec<Usage>,
     /// The symbols of the values that have a name.
-    pub(super) bound: BTreeMap<OperationId, Symbol>,
+    pub(super) bound: IndexTable<OperationId, Symbol>,
     program: &'a Program<Node>,
     style: Style,
     stage: usize,
@@ -99,7 +98,8 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
 /// The symbol of the residuals and the Jacobian of an iteration while it is scheduled.
 const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 
-/// Schedules a program. `hints` are names for expressions that need a `let`.
+/// Schedules a program. `hints` are names for expressions that need a `let`. What stages hand to later ones is left
+/// open: see [`hand_on`](super::hand_on).
 pub(crate) fn schedule(
     graph: &Graph,
     program: &Program<Node>,
@@ -108,14 +108,14 @@ pub(crate) fn schedule(
 ) -> Program<Expression> {
     let roots_of = |stages: &[Stage<Node>]| -> Vec<Node> { stages.iter().flat_map(Stage::needs).collect() };
     let roots = roots_of(&program.stages);
-    let mut lines = Lines::new(graph, &roots, style);
-    let reachable: BTreeSet<Node> = graph.reachable(&roots);
+    let reachable = graph.reachable(&roots);
+    let mut lines = Lines::new(graph, &reachable, style);
     if let (true, Some((_, motion))) = (program.has_sensitivities, program.stages.split_last()) {
         // the motion comes first, so that later programs do not break up the expressions that it shares
-        lines.extend(graph, &roots_of(motion));
+        lines.extend(graph, &graph.reachable(&roots_of(motion)));
         share::share(&mut lines);
     }
-    lines.extend(graph, &roots);
+    lines.extend(graph, &reachable);
     share::share(&mut lines);
     let mut operations = OperationList::default();
     for &root in &roots {
@@ -124,7 +124,7 @@ pub(crate) fn schedule(
     }
     let hints = hints
         .iter()
-        .filter(|(node, _)| reachable.contains(node))
+        .filter(|(node, _)| reachable.binary_search(node).is_ok())
         .map(|(node, name)| (operations.lower(&lines, lines.of_node(*node)), name.clone()))
         .collect();
     let mut names = program.names.clone();
@@ -134,7 +134,7 @@ pub(crate) fn schedule(
         names,
         hints,
         usage: Vec::new(),
-        bound: BTreeMap::new(),
+        bound: IndexTable::default(),
         program,
         style,
         stage: 0,
@@ -178,8 +178,8 @@ impl Scheduler<'_> {
         if usage.count > 1 {
             return;
         }
-        for operand in self.operations.operation(value).operands() {
-            self.touch(operand, stage);
+        for index in 0..self.operations.operation(value).operands().len() {
+            self.touch(self.operations.operation(value).operands()[index], stage);
         }
     }
 
@@ -189,7 +189,7 @@ impl Scheduler<'_> {
 
     /// The symbol of a value that has been computed.
     fn known(&self, value: OperationId) -> Option<Symbol> {
-        let symbol = self.bound.get(&value).copied();
+        let symbol = self.bound.get(value);
         symbol.filter(|_| self.includes(Pass::CommonSubexpressions))
     }
 
@@ -224,14 +224,12 @@ impl Scheduler<'_> {
                 ..Stage::new(std::mem::take(&mut self.steps))
             });
         }
-        let mut scheduled = Program {
+        Program {
             stages,
             names: self.names,
             directions: program.directions.clone(),
             has_sensitivities: program.has_sensitivities,
-        };
-        carry::hand_on(&mut scheduled);
-        scheduled
+        }
     }
 
     fn step(&mut self, lines: &Lines, step: &Step<Node>) {
@@ -401,7 +399,7 @@ impl Scheduler<'_> {
         let mut operations = 0;
         let mut pending = vec![value];
         while let Some(value) = pending.pop() {
-            if self.bound.contains_key(&value) {
+            if self.bound.get(value).is_some() {
                 continue;
             }
             match self.operations.operation(value) {
@@ -414,7 +412,8 @@ impl Scheduler<'_> {
                     pending.extend(
                         operation
                             .operands()
-                            .into_iter()
+                            .iter()
+                            .copied()
                             .filter(|&operand| self.usage(operand).count <= 1),
                     );
                 }
@@ -431,11 +430,11 @@ impl Scheduler<'_> {
             Operation::Number(number) => Expression::Number(number.get()),
             Operation::Pi => Expression::Pi,
             Operation::Leaf(symbol) => Expression::Name(symbol),
-            Operation::Add(a, b) => Expression::Add(part(a), part(b)),
-            Operation::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
-            Operation::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
-            Operation::Divide(a, b) => Expression::Divide(part(a), part(b)),
-            Operation::Negate(a) => Expression::Negate(part(a)),
+            Operation::Add([a, b]) => Expression::Add(part(a), part(b)),
+            Operation::Subtract([a, b]) => Expression::Subtract(part(a), part(b)),
+            Operation::Multiply([a, b]) => Expression::Multiply(part(a), part(b)),
+            Operation::Divide([a, b]) => Expression::Divide(part(a), part(b)),
+            Operation::Negate([a]) => Expression::Negate(part(a)),
             Operation::Call(function, arguments) => Expression::Call(
                 function,
                 arguments

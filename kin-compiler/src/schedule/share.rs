@@ -7,11 +7,11 @@
 //! only pairs with changed elements are counted again. The work follows the number of elements that can be shared.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::mem;
 
 use super::lines::{Line, LineId, Lines};
-use crate::algebra::HashMap;
+use crate::algebra::{HashMap, IndexTable};
 use crate::passes::Pass;
 use crate::work;
 
@@ -29,7 +29,7 @@ type Multiplicity = [usize; 2];
 /// each other.
 type LineMember = (bool, LineId);
 
-/// The elements of a line, each as often as it occurs.
+/// The elements of a line, each as often as it occurs, and whether they are negative terms.
 fn elements(line: &Line) -> Vec<(LineId, bool)> {
     match line {
         Line::Product(factors) => factors.iter().map(|&factor| (factor, false)).collect(),
@@ -39,36 +39,52 @@ fn elements(line: &Line) -> Vec<(LineId, bool)> {
 }
 
 /// Elements that occur more than once, and for each other element the only line that contains it.
+#[derive(Default)]
 struct Recurring {
-    elements: HashMap<LineMember, usize>,
-    only: HashMap<LineMember, usize>,
+    factors: Occurring,
+    terms: Occurring,
+}
+
+/// The recurring elements of products, or of sums, and the line that contains each other element.
+#[derive(Default)]
+struct Occurring {
+    recurring: IndexTable<LineId, ()>,
+    only: IndexTable<LineId, usize>,
 }
 
 impl Recurring {
     fn of(lines: &[Line]) -> Self {
-        let mut repeated = Self {
-            elements: HashMap::default(),
-            only: HashMap::default(),
-        };
+        let mut repeated = Self::default();
         for (index, line) in lines.iter().enumerate() {
+            let is_sum = matches!(line, Line::Sum(_));
             for (id, _) in elements(line) {
-                let element = (matches!(line, Line::Sum(_)), id);
-                if let Some(first) = repeated.only.insert(element, index) {
-                    repeated.elements.insert(element, first);
+                let known = repeated.of_kind_mut(is_sum);
+                if known.only.get(id).is_some() {
+                    known.recurring.insert(id, ());
                 }
+                known.only.insert(id, index);
             }
         }
         repeated
     }
 
-    fn contain(&self, element: LineMember) -> bool {
-        self.elements.contains_key(&element)
+    fn of_kind_mut(&mut self, is_sum: bool) -> &mut Occurring {
+        if is_sum { &mut self.terms } else { &mut self.factors }
+    }
+
+    fn contain(&self, (is_sum, id): LineMember) -> bool {
+        let known = if is_sum { &self.terms } else { &self.factors };
+        known.recurring.get(id).is_some()
     }
 
     /// Records that an element now occurs more than once. If this is new, the line that contained it is returned.
-    fn add(&mut self, element: LineMember) -> Option<usize> {
-        let is_new = self.elements.insert(element, 0).is_none();
-        is_new.then(|| self.only.get(&element).copied()).flatten()
+    fn add(&mut self, (is_sum, id): LineMember) -> Option<usize> {
+        let known = self.of_kind_mut(is_sum);
+        if known.recurring.get(id).is_some() {
+            return None;
+        }
+        known.recurring.insert(id, ());
+        known.only.get(id)
     }
 }
 
@@ -78,13 +94,19 @@ type Elements = Vec<(LineId, Multiplicity)>;
 /// The elements of a line that occur more than once.
 fn repeated_elements(line: &Line, repeated: &Recurring) -> Elements {
     let is_sum = matches!(line, Line::Sum(_));
-    let mut counts: BTreeMap<LineId, Multiplicity> = BTreeMap::new();
-    for (id, negative) in elements(line) {
-        if repeated.contain((is_sum, id)) {
-            counts.entry(id).or_default()[usize::from(negative)] += 1;
+    let mut elements = elements(line);
+    elements.retain(|&(id, _)| repeated.contain((is_sum, id)));
+    elements.sort_unstable();
+    let mut counts = Elements::new();
+    for (id, negative) in elements {
+        if counts.last().is_none_or(|&(last, _)| last != id) {
+            counts.push((id, [0; 2]));
+        }
+        if let Some((_, count)) = counts.last_mut() {
+            count[usize::from(negative)] += 1;
         }
     }
-    counts.into_iter().collect()
+    counts
 }
 
 /// An element of a line, with its number of occurrences before and after a change.
@@ -95,17 +117,43 @@ struct Recount {
     after: Multiplicity,
 }
 
-/// The elements of a line before or after a change, with their counts.
-fn changes(before: &Elements, after: &Elements) -> Vec<Recount> {
-    let mut all: BTreeMap<LineId, [Multiplicity; 2]> = BTreeMap::new();
-    for (side, elements) in [before, after].into_iter().enumerate() {
-        for &(id, count) in elements {
-            all.entry(id).or_default()[side] = count;
+/// The elements of a line before or after a change, with their counts: those that change, and then the others.
+fn changes(mut before: &[(LineId, Multiplicity)], mut after: &[(LineId, Multiplicity)]) -> [Vec<Recount>; 2] {
+    let (mut changed, mut unchanged) = (Vec::new(), Vec::new());
+    loop {
+        let recount = match (before, after) {
+            ([], []) => return [changed, unchanged],
+            (&[(id, count), ref rest @ ..], others) if others.first().is_none_or(|&(other, _)| id < other) => {
+                before = rest;
+                Recount {
+                    id,
+                    before: count,
+                    after: [0; 2],
+                }
+            }
+            (others, &[(id, count), ref rest @ ..]) if others.first().is_none_or(|&(other, _)| id < other) => {
+                after = rest;
+                Recount {
+                    id,
+                    before: [0; 2],
+                    after: count,
+                }
+            }
+            (one, other) => {
+                (before, after) = (&one[1..], &other[1..]);
+                Recount {
+                    id: one[0].0,
+                    before: one[0].1,
+                    after: other[0].1,
+                }
+            }
+        };
+        if recount.before == recount.after {
+            unchanged.push(recount);
+        } else {
+            changed.push(recount);
         }
     }
-    all.into_iter()
-        .map(|(id, [before, after])| Recount { id, before, after })
-        .collect()
 }
 
 impl Pair {
@@ -139,8 +187,8 @@ struct Occurrences {
     lines_of_pair: HashMap<Pair, Vec<(usize, usize)>>,
     /// The elements of each line.
     elements: Vec<Elements>,
-    /// The pairs that occur in more lines, or more often, than before.
-    grown: BTreeSet<Pair>,
+    /// The pairs that occur in more lines, or more often, than before, perhaps several times.
+    grown: Vec<Pair>,
 }
 
 impl Occurrences {
@@ -152,9 +200,7 @@ impl Occurrences {
         let after = repeated_elements(line, repeated);
         let before = mem::replace(&mut self.elements[index], after);
         let is_sum = matches!(line, Line::Sum(_));
-        let (changed, unchanged): (Vec<_>, Vec<_>) = changes(&before, &self.elements[index])
-            .into_iter()
-            .partition(|change| change.before != change.after);
+        let [changed, unchanged] = changes(&before, &self.elements[index]);
         for (position, one) in changed.iter().enumerate() {
             for other in changed[position..].iter().chain(&unchanged) {
                 work::iteration();
@@ -177,7 +223,7 @@ impl Occurrences {
             (Err(position), _) => lines_of_pair.insert(position, (index, count)),
         }
         if count > 0 {
-            self.grown.insert(pair);
+            self.grown.push(pair);
         }
     }
 
@@ -189,6 +235,7 @@ impl Occurrences {
             .filter(|&(count, _)| count > 1)
             .collect();
         candidates.sort_unstable_by_key(|&(count, pair)| (Reverse(count), pair));
+        candidates.dedup();
         candidates.into_iter().map(|(_, pair)| pair).collect()
     }
 }
