@@ -236,12 +236,7 @@ impl Graph {
             if seen.get(node).is_none() {
                 seen.insert(node, ());
                 found.push(node);
-                match self.kind(node) {
-                    NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => {}
-                    NodeKind::Sum(_, terms) => pending.extend(terms.iter().map(|&(operand, _)| operand)),
-                    NodeKind::Product(factors) => pending.extend(factors.iter().map(|&(operand, _)| operand)),
-                    NodeKind::Call(_, arguments) => pending.extend_from_slice(arguments),
-                }
+                pending.extend(self.operands(node));
             }
         }
         found.sort_unstable();
