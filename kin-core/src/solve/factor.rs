@@ -202,8 +202,8 @@ fn eliminate<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow], epsilon: f64)
     (is_odd, is_singular)
 }
 
-/// The solution for a right-hand side given in the order of the original rows. `scale` is the number for a power of two,
-/// or one for the solution of the scaled matrix.
+/// The solution for a right-hand side given in the order of the original rows. `scale` makes a number of a power of
+/// two, or is one for the solution of the scaled matrix.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn substitute<T: Scalar>(
     entries: &[T],

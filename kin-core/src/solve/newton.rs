@@ -406,18 +406,9 @@ fn real_root<T: Scalar>(
         if ended.is_some() {
             return distinct(ended, determinant);
         }
-        if iterations == ITERATIONS {
-            return Err(not_converged(
-                residuals,
-                iterations,
-                rows,
-                [factors, jacobian],
-                [one, two, three],
-            ));
-        }
         corrected(factors, rows, residuals, correction);
         let length = greatest(correction);
-        if !length.is_finite() {
+        if iterations == ITERATIONS || !length.is_finite() {
             return Err(not_converged(
                 residuals,
                 iterations,
