@@ -450,7 +450,7 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::TestCaseResult;
 
-    use super::{Determinant, factor};
+    use super::{Determinant, factor, levelling};
     use crate::failure::Failure;
     use crate::number::{Number, series::Series};
     use crate::solve::strategies::coordinate;
@@ -526,6 +526,21 @@ mod tests {
         let expected = norm(levelled) * norm(inverse);
         prop_assert!((condition / expected - 1.0).abs() <= 16.0 * f64::EPSILON * super::number(N * N) * condition);
         Ok(())
+    }
+
+    #[test]
+    fn a_power_of_two_scales_to_between_two_and_four() {
+        for value in [1e-300, 3e-38, 0.7, 1.0, 1.999, 2.0, 2.001, 123.0, 3e38, 1e300] {
+            let scale = levelling::<f64>(value);
+            assert!((2.0..4.0).contains(&(scale * value)), "{value} {scale}");
+            assert_eq!(1.0 / (1.0 / scale), scale);
+        }
+        // beyond the limits the scale and its reciprocal stay ordinary numbers
+        for value in [0.0, 5e-324, f64::MAX] {
+            let scale = levelling::<f64>(value);
+            assert!(scale.is_normal() && (1.0 / scale).is_normal(), "{value} {scale}");
+        }
+        assert_eq!(levelling::<f32>(1e-300), levelling::<f32>(0.0));
     }
 
     proptest! {
