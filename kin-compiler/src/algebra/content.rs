@@ -2,7 +2,7 @@
 //!
 //! Parameters, inputs and unknowns are recorded one by one. Of all other symbols only their presence is recorded.
 
-use super::{HashMap, Node, NodeKind, Symbol};
+use super::{HashMap, Index as _, Node, NodeKind, Symbol};
 
 /// The kinds of symbols in an expression, and the set of its parameters, inputs and unknowns.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]

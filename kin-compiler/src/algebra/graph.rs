@@ -15,15 +15,9 @@ use crate::work;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Node(pub(super) u32);
 
-impl Node {
-    pub(crate) const fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
 impl Index for Node {
     fn index(self) -> usize {
-        self.index()
+        self.0 as usize
     }
 }
 

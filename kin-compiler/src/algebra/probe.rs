@@ -4,7 +4,7 @@
 //! values everywhere. Two different expressions agree only on a set of measure zero. So an expression counts as zero if
 //! it vanishes at several scattered points. The points are fixed, which keeps the expansion deterministic.
 
-use super::{Graph, Node, NodeKind, Symbol};
+use super::{Graph, Index as _, Node, NodeKind, Symbol};
 use crate::work;
 
 /// The number of points.

@@ -1,6 +1,6 @@
 //! The length of the longest path through a formula, and its limit.
 
-use crate::algebra::{Graph, Node, NodeKind};
+use crate::algebra::{Graph, Index as _, Node, NodeKind};
 use crate::mistakes::{Extent, Mistakes};
 
 /// The largest number of operations of which each waits for the one before. The later passes recurse that deep, on a

@@ -13,7 +13,7 @@ use crate::passes::{Pass, Passes};
 use crate::program::{
     Approach, Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, Trials, order_name,
 };
-use crate::schedule::{Style, hand_on, schedule};
+use crate::schedule::{Style, hand_on, schedule_on_trial};
 use crate::work;
 
 /// A program that was derived in one way, and its schedule.
@@ -62,7 +62,7 @@ impl Candidate {
             return;
         }
         let style = Style::checked(passes).with_factors_taken_out();
-        let other = schedule(&self.graph, &self.program, &self.hints, style);
+        let other = schedule_on_trial(&self.graph, &self.program, &self.hints, style);
         let is_cheaper = other.cost().arithmetic() < self.scheduled.cost().arithmetic();
         if is_cheaper || !passes.include(Pass::FactorsLeft) {
             self.scheduled = other;
@@ -318,7 +318,7 @@ impl<'a> Draft<'a> {
             has_sensitivities: self.has_sensitivities,
         };
         let style = Style::checked(self.task.passes);
-        let scheduled = schedule(&self.graph, &program, &self.hints, style);
+        let scheduled = schedule_on_trial(&self.graph, &program, &self.hints, style);
         Candidate {
             way: Approach {
                 is_multiplied_out: self.derived.form.is_multiplied_out,

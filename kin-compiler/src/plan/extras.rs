@@ -10,7 +10,7 @@ use crate::passes::Passes;
 use crate::program::{
     Choice, ClosureTerms, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
 };
-use crate::schedule::{Style, hand_on, schedule};
+use crate::schedule::{Style, schedule};
 use crate::structure::{Block, block_forms, closure_polynomials, dyads};
 
 /// The programs beside the motion.
@@ -49,10 +49,7 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> (Progra
             symbols.push(symbol);
         }
     }
-    (
-        scheduled(graph, &Program::single(steps, names), Style::plain(Passes::ALL)),
-        symbols,
-    )
+    (scheduled(graph, steps, names), symbols)
 }
 
 /// The program that goes through all positions.
@@ -64,7 +61,7 @@ fn every(task: &Task<'_>) -> Option<Program<Expression>> {
     let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, &task.ranges, task.passes)?;
     let program = Program::single(stage.steps, names);
     let style = Style::checked(task.passes);
-    Some(scheduled(&graph, &program, style))
+    Some(schedule(&graph, &program, &[], style))
 }
 
 /// All dyads, and the program of their angles.
@@ -84,7 +81,7 @@ fn transmission_angles(mut graph: Graph, task: &Task<'_>) -> TransmissionAngles 
             (dyad, symbols)
         })
         .collect();
-    let program = scheduled(&graph, &Program::single(steps, names), Style::plain(Passes::ALL));
+    let program = scheduled(&graph, steps, names);
     TransmissionAngles { dyads, program }
 }
 
@@ -177,16 +174,10 @@ impl Components {
     }
 
     fn program(self, graph: &Graph) -> Program<Expression> {
-        scheduled(
-            graph,
-            &Program::single(self.steps, self.names),
-            Style::plain(Passes::ALL),
-        )
+        scheduled(graph, self.steps, self.names)
     }
 }
 
-fn scheduled(graph: &Graph, program: &Program<Node>, style: Style) -> Program<Expression> {
-    let mut scheduled = schedule(graph, program, &[], style);
-    hand_on(&mut scheduled);
-    scheduled
+fn scheduled(graph: &Graph, steps: Vec<Step<Node>>, names: Names) -> Program<Expression> {
+    schedule(graph, &Program::single(steps, names), &[], Style::plain(Passes::ALL))
 }

@@ -13,5 +13,5 @@ mod share;
 mod style;
 
 pub(crate) use carry::hand_on;
-pub(crate) use scheduler::schedule;
+pub(crate) use scheduler::{schedule, schedule_on_trial};
 pub(crate) use style::Style;

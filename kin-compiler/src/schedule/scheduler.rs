@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::carry::hand_on;
 use super::lines::Lines;
 use super::operation::{Operation, OperationId, OperationList};
 use super::share;
@@ -26,8 +27,8 @@ pub(super) struct Scheduler<'a> {
     pub(super) operations: OperationList,
     pub(super) names: Names,
     pub(super) hints: BTreeMap<OperationId, String>,
-    /// The usage by value; zero uses for an unused value.
-    usage: Vec<Usage>,
+    /// The usage of each value that is used.
+    usage: IndexTable<OperationId, Usage>,
     /// The symbols of the values that have a name.
     pub(super) bound: IndexTable<OperationId, Symbol>,
     program: &'a Program<Node>,
@@ -71,7 +72,7 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
             matrix: [residuals].into_iter().chain(jacobian).cloned().collect(),
         };
         let inner = Program::single(vec![lines], names.clone());
-        let mut scheduled = schedule(graph, &inner, &[], Style::plain(passes));
+        let mut scheduled = schedule_on_trial(graph, &inner, &[], Style::plain(passes));
         names.adopt(scheduled.names);
         let Stage {
             steps: mut body, cost, ..
@@ -98,9 +99,20 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
 /// The symbol of the residuals and the Jacobian of an iteration while it is scheduled.
 const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 
-/// Schedules a program. `hints` are names for expressions that need a `let`. What stages hand to later ones is left
-/// open: see [`hand_on`](super::hand_on).
+/// Schedules a program. `hints` are names for expressions that need a `let`.
 pub(crate) fn schedule(
+    graph: &Graph,
+    program: &Program<Node>,
+    hints: &[(Node, String)],
+    style: Style,
+) -> Program<Expression> {
+    let mut scheduled = schedule_on_trial(graph, program, hints, style);
+    hand_on(&mut scheduled);
+    scheduled
+}
+
+/// A schedule that may be dropped: [`hand_on`] has yet to find what its stages hand to later ones.
+pub(crate) fn schedule_on_trial(
     graph: &Graph,
     program: &Program<Node>,
     hints: &[(Node, String)],
@@ -133,7 +145,7 @@ pub(crate) fn schedule(
         operations,
         names,
         hints,
-        usage: Vec::new(),
+        usage: IndexTable::default(),
         bound: IndexTable::default(),
         program,
         style,
@@ -165,16 +177,14 @@ impl Scheduler<'_> {
     }
 
     fn usage(&self, value: OperationId) -> Usage {
-        self.usage.get(value.0).copied().unwrap_or_default()
+        self.usage.get(value).unwrap_or_default()
     }
 
     fn touch(&mut self, value: OperationId, stage: usize) {
-        if self.usage.len() <= value.0 {
-            self.usage.resize(self.operations.list.len(), Usage::default());
-        }
-        let usage = &mut self.usage[value.0];
+        let mut usage = self.usage(value);
         usage.count += 1;
         usage.last_stage = usage.last_stage.max(stage);
+        self.usage.insert(value, usage);
         if usage.count > 1 {
             return;
         }

@@ -348,7 +348,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
 /// The larger of two numbers, the first if one of them is not a number. This is one instruction, unlike [`f64::max`].
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn larger(one: f64, other: f64) -> f64 {
+pub(crate) fn larger<E: PartialOrd>(one: E, other: E) -> E {
     if other > one { other } else { one }
 }
 
@@ -374,8 +374,7 @@ fn scaled_norm(matrix: &[f64], rows: &[FactorRow]) -> f64 {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn levelling<T: Scalar>(largest: f64) -> f64 {
     let limits = [-range::<T>(), range::<T>()].map(power_of_two::<f64>);
-    let largest = larger(limits[0], largest);
-    let largest = if largest > limits[1] { limits[1] } else { largest };
+    let largest = largest.clamp(limits[0], limits[1]);
     // the complement of an exponent's field is that of its negative, plus one
     f64::from_bits(!largest.to_bits() & f64::INFINITY.to_bits())
 }

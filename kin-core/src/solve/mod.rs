@@ -48,13 +48,13 @@ mod scalar;
 pub use crate::assembly::both;
 pub use check::*;
 pub use direction::{direction, directions};
-pub(crate) use factor::Determinant;
+pub(crate) use factor::{Determinant, larger};
 pub use factor::{Elimination, FactorRow, Factors, factor, factor_in, substitute_in};
 #[cfg(feature = "tape")]
 pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
 pub(crate) use lent::{LentFactors, Orientation, lent_factors_length};
-pub(crate) use newton::{CONVERGING, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, QUADRATIC};
+pub(crate) use newton::{CONVERGING, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, QUADRATIC, corrected};
 pub use newton::{Equations, NewtonMemory, largest, largest_in, newton, newton_in};
 #[cfg(feature = "tape")]
 pub(crate) use newton::{ITERATIONS, SMALLEST_PART, TRIALS};

@@ -3,7 +3,7 @@
 use core::array;
 
 use super::factor::{
-    Determinant, FactorRow, Scratch, amplification, condition, factor_in, factor_to, larger, substitute, substitute_in,
+    Determinant, FactorRow, Scratch, amplification, condition, factor_in, factor_to, larger, substitute_in,
 };
 use crate::failure::Failure;
 use crate::solve::Scalar;
@@ -374,13 +374,7 @@ fn real_root<T: Scalar>(
             (Verdict::Shortened(part), Some(step)) => {
                 trials += 1;
                 if trials == TRIALS {
-                    return Err(not_converged(
-                        residuals,
-                        iterations,
-                        rows,
-                        [factors, jacobian],
-                        [one, two, three],
-                    ));
+                    break;
                 }
                 (step.part, step.is_tested) = (part, true);
                 moved(unknowns, correction, part, units, trial);
@@ -409,13 +403,7 @@ fn real_root<T: Scalar>(
         corrected(factors, rows, residuals, correction);
         let length = greatest(correction);
         if iterations == ITERATIONS || !length.is_finite() {
-            return Err(not_converged(
-                residuals,
-                iterations,
-                rows,
-                [factors, jacobian],
-                [one, two, three],
-            ));
+            break;
         }
         // how the correction compares with the one before, if that was taken in full
         let contraction = match step {
@@ -463,21 +451,11 @@ fn real_root<T: Scalar>(
             is_tested: !is_converging,
         });
     }
-}
-
-/// The failure of an iteration, with the condition of the Jacobian where it ends.
-fn not_converged(
-    residuals: &[f64],
-    iterations: u32,
-    rows: &[FactorRow],
-    [factors, jacobian]: [&[f64]; 2],
-    scratch: Scratch<'_>,
-) -> Failure {
-    Failure::NotConverged {
+    Err(Failure::NotConverged {
         residual: greatest(residuals),
         iterations,
-        condition: condition(factors, rows, jacobian, scratch),
-    }
+        condition: condition(factors, rows, jacobian, [one, two, three]),
+    })
 }
 
 /// Whether a correction disappears in every unknown.
@@ -525,8 +503,8 @@ fn are_real<T: Scalar>(typed: [&[T]; 2], units: &[f64], residuals: &mut [f64], j
 
 /// The correction that removes the residuals.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn corrected(factors: &[f64], rows: &[FactorRow], residuals: &[f64], correction: &mut [f64]) {
-    substitute(factors, rows, |scale| scale, residuals, correction);
+pub(crate) fn corrected<T: Scalar>(factors: &[T], rows: &[FactorRow], residuals: &[T], correction: &mut [T]) {
+    substitute_in(factors, rows, residuals, correction);
     for entry in correction {
         *entry = -*entry;
     }

@@ -8,8 +8,8 @@ use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{
-    CONVERGING, Determinant, Equations, FIRST_STEP, FactorRow, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC,
-    Scalar, factor_in, substitute_in,
+    CONVERGING, Determinant, Equations, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC, corrected,
+    factor_in, larger,
 };
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
@@ -123,21 +123,6 @@ fn chosen<const W: usize, const FUSED: bool, E: Element>(
             other.0[lane]
         }
     })
-}
-
-/// The larger of two numbers, the first if one of them is not a number.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn larger<E: Element>(one: E, other: E) -> E {
-    if other > one { other } else { one }
-}
-
-/// The correction that removes the residuals.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn corrected<T: Scalar>(factors: &[T], rows: &[FactorRow], residuals: &[T], correction: &mut [T]) {
-    substitute_in(factors, rows, residuals, correction);
-    for entry in correction {
-        *entry = -*entry;
-    }
 }
 
 /// The largest magnitude in each lane. NaN does not count: the lane that has it ends as NaN anyway.
