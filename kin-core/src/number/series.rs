@@ -193,9 +193,11 @@ impl<T: Number, const N: usize> Neg for SeriesOf<T, N> {
     }
 }
 
-/// The largest number of terms whose products stand where they are used. Longer series share one product of each
-/// length.
-const SHORT: usize = 8;
+impl<T: Number, const N: usize> SeriesOf<T, N> {
+    /// Whether products stand where they are used. Longer series, and those whose terms are more than a number, share
+    /// one product of each length.
+    const IS_SHORT: bool = N <= 8 && size_of::<T>() <= size_of::<f64>();
+}
 
 /// Cauchy's product.
 #[inline(always)]
@@ -250,7 +252,7 @@ impl<T: Number, const N: usize> Mul for SeriesOf<T, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
-        if N > SHORT {
+        if !Self::IS_SHORT {
             return Self::from_coefficients(long_product(&self.coefficients, &other.coefficients));
         }
         let mut result = [T::constant(0.0); N];
@@ -264,7 +266,7 @@ impl<T: Number, const N: usize> Div for SeriesOf<T, N> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
-        if N > SHORT {
+        if !Self::IS_SHORT {
             return Self::from_coefficients(long_quotient(&self.coefficients, &other.coefficients));
         }
         let mut result = [T::constant(0.0); N];

@@ -290,7 +290,7 @@ impl<T: MovingNumber> Demand<'_, T> {
     }
 
     /// The couple of a tensor of inertia along the axes of the frame of a body, about its centre.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(never)]
     fn tensor(&self, inertia: [[f64; 3]; 3], body: usize) -> Exertion<T> {
         let MovedFrame { axes, turn, .. } = self.frames[body];
         let rates = axes.map(|axis| axis.dot(turn));

@@ -384,7 +384,7 @@ fn lies_beside<S: PoseNumber>(axis: Space<S>, vector: Space<S>) -> bool {
 
 /// The unit vector at right angles to a unit vector and to another vector, none if they lie on a line up to half of the
 /// digits.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[inline(never)]
 pub(super) fn between<T: MovingNumber>(one: Space<T>, other: Space<T>) -> Option<Space<T>> {
     lies_beside(now(one), now(other)).then(|| unit(one.cross(other)))
 }
@@ -527,7 +527,7 @@ impl<T: MovingNumber> MovedMechanism<T> {
     }
 
     /// Moves the frames of all bodies to another pose.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(never)]
     pub(super) fn move_frames(
         &self,
         outline: &Outline<'_>,

@@ -285,7 +285,7 @@ impl<S: PoseNumber, const N: usize> OrderedSystem<N, S> {
         self.factor_to(LARGEST_MULTIPLIER, SMALLEST_PIVOT)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(never)]
     fn factor_to(&mut self, multipliers: f64, pivots: f64) -> bool {
         self.largest.fill(S::constant(0.0));
         for ((entry, column), factor) in self.entries.iter().zip(&self.columns).zip(&mut self.factors) {

@@ -314,7 +314,7 @@ impl Mesh {
     }
 
     /// The pitch point on one side of the first centre.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(never)]
     pub(super) fn pitch_point<T: MovingNumber>(&self, moved: &MovedMechanism<T>, side: f64) -> PitchPoint<T> {
         match self.pitch {
             Pitch::Gears { centres, radii } => {

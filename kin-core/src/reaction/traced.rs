@@ -1,4 +1,6 @@
 //! A number that notes what is done with it.
+//!
+//! Its operations are calls: where they are used, they would take several times as much code as all solvers.
 
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -43,6 +45,7 @@ impl Traced {
         Self::noted(value, Step::Given(column))
     }
 
+    #[inline(never)]
     fn noted(value: f64, step: Step) -> Self {
         let node = TRACE.with_borrow_mut(|trace| Some(trace.add(step)));
         Self { value, node }
@@ -53,6 +56,7 @@ impl Traced {
     }
 
     /// The result of an operation, which is a constant if its operands are.
+    #[inline(never)]
     fn of_two(self, other: Self, value: f64, step: impl FnOnce([u32; 2]) -> Step) -> Self {
         if self.node.is_none() && other.node.is_none() {
             return Self::constant(value);
@@ -79,6 +83,7 @@ impl Traced {
 impl Add for Traced {
     type Output = Self;
 
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         if other.known() == Some(0.0) {
             return self;
@@ -93,6 +98,7 @@ impl Add for Traced {
 impl Sub for Traced {
     type Output = Self;
 
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         if other.known() == Some(0.0) {
             return self;
@@ -107,6 +113,7 @@ impl Sub for Traced {
 impl Mul for Traced {
     type Output = Self;
 
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let knowns = [self.known(), other.known()];
         if knowns.contains(&Some(0.0)) {
@@ -125,6 +132,7 @@ impl Mul for Traced {
 impl Div for Traced {
     type Output = Self;
 
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         if self.known() == Some(0.0) && other.known() != Some(0.0) {
             return self;
@@ -140,6 +148,7 @@ impl Div for Traced {
 impl Neg for Traced {
     type Output = Self;
 
+    #[inline(never)]
     fn neg(self) -> Self {
         let value = -self.value;
         let step = self
@@ -198,6 +207,7 @@ impl Number for Traced {
 }
 
 impl PoseNumber for Traced {
+    #[inline(never)]
     fn exceeds(self, part: f64, other: Self) -> bool {
         let exceeds = self.value.exceeds(part, other.value);
         if self.node.is_some() || other.node.is_some() {
