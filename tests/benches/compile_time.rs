@@ -306,11 +306,16 @@ fn questions() {
     }
 }
 
+/// The profile of a release build, for builds that are made in that for development.
+const RELEASE: &str = "[profile.dev]\nopt-level = 3\ndebug = false\ndebug-assertions = false\noverflow-checks = false\nincremental = false\n";
+
 fn main() {
     questions();
     measure("compile_time", &User::new("user-default", &[], ""));
     let with_library = User::new("user-with-library", &["library"], "").cold();
     println!("time compile_time_with_library.cold_build {with_library:.1} s");
+    let in_release = User::new("user-release", &[], RELEASE).cold();
+    println!("time compile_time_in_release.cold_build {in_release:.1} s");
     measure(
         "compile_time_with_optimised_macro",
         &User::new("user-optimised", &[], "[profile.dev.build-override]\nopt-level = 3\n"),
