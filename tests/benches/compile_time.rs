@@ -307,7 +307,8 @@ fn questions() {
 }
 
 /// The profile of a release build, for builds that are made in that for development.
-const RELEASE: &str = "[profile.dev]\nopt-level = 3\ndebug = false\ndebug-assertions = false\noverflow-checks = false\nincremental = false\n";
+const RELEASE: &str = "[profile.dev]\nopt-level = 3\ndebug = false\ndebug-assertions = false\n\
+    overflow-checks = false\nincremental = false\n";
 
 fn main() {
     questions();
