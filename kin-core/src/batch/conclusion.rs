@@ -9,29 +9,29 @@ use crate::number::Number;
 
 /// A chunk in which poses have failed.
 #[derive(Clone, Copy)]
-pub(super) struct Chunk<const W: usize, const FUSED: bool, E> {
+pub(super) struct Chunk<const W: usize, const BITS: usize, E> {
     /// The first pose.
     pub(super) start: usize,
     /// The first pose without an outcome.
     pub(super) next: usize,
     /// The sum of all numbers of each pose, which is not finite where the pose has failed.
-    pub(super) sum: Lanes<W, FUSED, E>,
+    pub(super) sum: Lanes<W, BITS, E>,
     /// The sum of the squares of parameters and inputs. The margin of a pose counts only if none of them can be the
     /// cause of its failure.
-    pub(super) squares: Lanes<W, FUSED, E>,
+    pub(super) squares: Lanes<W, BITS, E>,
 }
 
 /// The summary of a batch while it is solved.
-pub(super) struct Conclusion<const W: usize, const FUSED: bool, E> {
+pub(super) struct Conclusion<const W: usize, const BITS: usize, E> {
     summary: Summary,
     /// The poses of each lane that have failed by their margins since the count was emptied. Lanes of single precision
     /// count to 2²⁴. The count is emptied long before.
-    failed: Lanes<W, FUSED, E>,
+    failed: Lanes<W, BITS, E>,
     /// The pose at which the count was emptied.
     emptied: usize,
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Conclusion<W, BITS, E> {
     /// The summary of so many poses, all of which are solved until they fail.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(count: usize) -> Self {
@@ -49,7 +49,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(
         &mut self,
-        chunk: Chunk<W, FUSED, E>,
+        chunk: Chunk<W, BITS, E>,
         outcomes: &mut [Outcome],
         alone: impl FnMut(usize) -> Result<(), SolveError>,
     ) {
@@ -76,7 +76,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Conclusion<W, FUSED, E> {
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Chunk<W, BITS, E> {
     /// Writes the outcomes by the margins, and returns which poses have failed by them. A failed pose without a margin
     /// is solved alone, and so is the first failed pose of the batch, whose whole error is kept.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -85,7 +85,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Chunk<W, FUSED, E> {
         outcomes: &mut [Outcome],
         summary: &mut Summary,
         alone: impl FnMut(usize) -> Result<(), SolveError>,
-    ) -> Lanes<W, FUSED, E> {
+    ) -> Lanes<W, BITS, E> {
         let Self {
             start,
             next,

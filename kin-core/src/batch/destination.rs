@@ -109,7 +109,7 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
     /// Stores NaN in the place of the motions that have been found, starting at a given pose: where `gone` is NaN. It
     /// is a negative zero for the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, M::Scalar>) {
+    pub(super) fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, M::Scalar>) {
         for columns in self.unknowns.as_ref() {
             for entries in columns.as_ref() {
                 clear(gone, entries, start);
@@ -155,13 +155,13 @@ fn store_all<'t, V: Stored, R: Row<V>>(start: usize, motions: &[R], columns: &[i
 /// Stores NaN, starting at a given pose: where `gone` is NaN. It is a negative zero for the others, whose addition
 /// changes nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn clear<const W: usize, const FUSED: bool, E: Element>(
-    gone: Lanes<W, FUSED, E>,
+pub(super) fn clear<const W: usize, const BITS: usize, E: Element>(
+    gone: Lanes<W, BITS, E>,
     entries: Entries<'_, E>,
     start: usize,
 ) {
     if let Some(group) = entries.get(start..start + W) {
-        let numbers = Lanes::<W, FUSED, E>::from_fn(|lane| group[lane].get());
+        let numbers = Lanes::<W, BITS, E>::from_fn(|lane| group[lane].get());
         // A selection would become a masked store, which is slow on some processors.
         (gone + numbers).store(entries, start);
     }
@@ -186,7 +186,7 @@ impl<E: Element> Stored for E {
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Stored for Lanes<W, BITS, E> {
     type Element = E;
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -134,20 +134,20 @@ pub trait Kernel {
     }
 
     /// Runs the kernel in `W` lanes.
-    fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
+    fn run<const W: usize, const BITS: usize>(self) -> Self::Result;
 }
 
 /// Not inlined: without optimisation every result has a separate slot on the stack, and this stack would be added to
 /// that of the others.
 #[inline(never)]
 fn compiled<K: Kernel>(kernel: K) -> K::Result {
-    K::Element::run::<K, 4, 8, false>(kernel)
+    K::Element::run::<K, 4, 8, 128>(kernel)
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<K: Kernel>(kernel: K) -> K::Result {
-    K::Element::run::<K, 8, 16, true>(kernel)
+    K::Element::run::<K, 8, 16, 256>(kernel)
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
@@ -156,10 +156,10 @@ fn avx2<K: Kernel>(kernel: K) -> K::Result {
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
     // in constants, so that only one of the two is compiled for a kernel whose way is known
     if const { matches!(K::AVX512, Some(Avx512::EightLanes)) } {
-        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, true>(kernel)
+        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, 512>(kernel)
     } else if const { K::AVX512.is_none() } && kernel.avx512() == Avx512::EightLanes {
-        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, true>(kernel)
+        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, 512>(kernel)
     } else {
-        K::Element::run::<K, MOST_LANES, MOST_SINGLES, true>(kernel)
+        K::Element::run::<K, MOST_LANES, MOST_SINGLES, 512>(kernel)
     }
 }

@@ -226,8 +226,8 @@ fn each<'c>(columns: &[Column<'c>]) -> Vec<(usize, &'c [f64])> {
 
 /// Fills in the numbers of such columns, starting at a given pose.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn gather_each<const W: usize, const FUSED: bool>(
-    numbers: &mut [Lanes<W, FUSED>],
+fn gather_each<const W: usize, const BITS: usize>(
+    numbers: &mut [Lanes<W, BITS>],
     columns: &[(usize, &[f64])],
     start: usize,
 ) {
@@ -450,7 +450,7 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
     /// Stores NaN in the place of the motions that have been found, starting at a pose: where `gone` is NaN. It is a
     /// negative zero for the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED>) {
+    fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS>) {
         for (slot, entries) in self.entries {
             if matches!(slot, Slot::Unknown(..) | Slot::Output(..)) {
                 clear(gone, entries, start);
@@ -494,12 +494,12 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+    fn run<const W: usize, const BITS: usize>(self) -> Summary {
         // in a constant, so that only one of the two is compiled
         if const { W > 8 } {
-            self.run_in_chunks::<W, FUSED, 4>()
+            self.run_in_chunks::<W, BITS, 4>()
         } else {
-            self.run_in_chunks::<W, FUSED, 8>()
+            self.run_in_chunks::<W, BITS, 8>()
         }
     }
 }
@@ -507,7 +507,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
 impl<S: SliceSolver> SliceRun<'_, S> {
     /// Solves `CHUNKS` chunks of `W` poses side by side: an operation is looked up once for all of them.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run_in_chunks<const W: usize, const FUSED: bool, const CHUNKS: usize>(self) -> Summary {
+    fn run_in_chunks<const W: usize, const BITS: usize, const CHUNKS: usize>(self) -> Summary {
         let Self {
             alone,
             outcomes,
@@ -516,7 +516,7 @@ impl<S: SliceSolver> SliceRun<'_, S> {
         let count = outcomes.len();
         let mut conclusion = Conclusion::of(count);
         outcomes.fill(Outcome::Solved);
-        let zero = Lanes::<W, FUSED>::constant(0.0);
+        let zero = Lanes::<W, BITS>::constant(0.0);
         let Room {
             same,
             parameters,
@@ -525,7 +525,7 @@ impl<S: SliceSolver> SliceRun<'_, S> {
             found,
             angles,
             solver: memory,
-        } = memory.of::<Room<Lanes<W, FUSED>, S::Memory<Lanes<W, FUSED>>>>();
+        } = memory.of::<Room<Lanes<W, BITS>, S::Memory<Lanes<W, BITS>>>>();
         let given = [alone.parameters, alone.inputs, alone.near];
         for (same, columns) in same.iter_mut().zip(given) {
             same.resize(columns.len(), zero);

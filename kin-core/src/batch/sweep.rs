@@ -19,9 +19,9 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 
 /// The inputs of as many poses as there are lanes, with their derivatives.
-type MotionsInLanes<M, const W: usize, const FUSED: bool> =
-    <<M as Mechanism>::With<Lanes<W, FUSED, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
-        <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
+type MotionsInLanes<M, const W: usize, const BITS: usize> =
+    <<M as Mechanism>::With<Lanes<W, BITS, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
+        <M as Mechanism>::Motion<Lanes<W, BITS, <M as Mechanism>::Scalar>>,
     >;
 
 /// The entries of the transmission angles of a declared mechanism.
@@ -359,7 +359,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     ));
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+    fn run<const W: usize, const BITS: usize>(self) -> Summary {
         let Self { alone, outcomes } = self;
         let batch = alone.batch;
         let count = outcomes.len();
@@ -371,7 +371,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             chunk.copy_from_slice(const { &[Outcome::Solved; W] });
         }
         rest.fill(Outcome::Solved);
-        let zero = Lanes::<W, FUSED, M::Scalar>::constant(0.0);
+        let zero = Lanes::<W, BITS, M::Scalar>::constant(0.0);
         let (columns, mut same) = (batch.parameters.as_ref(), M::Parameters::splat(zero));
         repeat(same.as_mut(), columns);
         let mut parameters = M::Parameters::splat(View::default());
@@ -392,7 +392,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         }
         let mut dimensions = Row::splat(zero);
         let mut guess = Row::splat(zero);
-        let mut motions: MotionsInLanes<M, W, FUSED> = Row::splat(Row::splat(zero));
+        let mut motions: MotionsInLanes<M, W, BITS> = Row::splat(Row::splat(zero));
         let (has_inputs, has_sines) = (alone.destination.has_inputs(), alone.destination.has_sines());
         let has_angles = alone.angles.are_wanted();
         let mut next = 0;

@@ -57,7 +57,7 @@ impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
     /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is a negative zero for the
     /// others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, E>) {
+    pub(super) fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, E>) {
         for entries in self.of_dyads.as_ref() {
             clear(gone, entries, start);
         }
@@ -103,7 +103,7 @@ impl<E: Element> Angles for E {
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Angles for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Angles for Lanes<W, BITS, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn folded(self) -> Self {
         Self::from_fn(|lane| self.0[lane].folded())

@@ -21,8 +21,8 @@ impl<E> Default for View<'_, E> {
 
 /// Fills in the lanes of columns that are the same for all poses.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn repeat<const W: usize, const FUSED: bool, E: Element>(
-    same: &mut [Lanes<W, FUSED, E>],
+pub(super) fn repeat<const W: usize, const BITS: usize, E: Element>(
+    same: &mut [Lanes<W, BITS, E>],
     columns: &[Column<'_, E>],
 ) {
     for (lanes, column) in same.iter_mut().zip(columns) {
@@ -38,10 +38,10 @@ pub(super) fn repeat<const W: usize, const FUSED: bool, E: Element>(
 ///
 /// This is a separate function: if the compiler sees that a mask is one of two, it tests it in every chunk.
 #[inline(never)]
-pub(super) fn look<'v, const W: usize, const FUSED: bool, E: Element>(
+pub(super) fn look<'v, const W: usize, const BITS: usize, E: Element>(
     views: &mut [View<'v, E>],
     columns: &[Column<'v, E>],
-    same: &'v [Lanes<W, FUSED, E>],
+    same: &'v [Lanes<W, BITS, E>],
 ) {
     for ((view, column), same) in views.iter_mut().zip(columns).zip(same) {
         *view = match column {
@@ -59,7 +59,7 @@ pub(super) fn look<'v, const W: usize, const FUSED: bool, E: Element>(
 
 /// Fills in the numbers of some columns, starting at a given pose.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn gather<R: Row<Lanes<W, FUSED, E>>, const W: usize, const FUSED: bool, E: Element>(
+pub(super) fn gather<R: Row<Lanes<W, BITS, E>>, const W: usize, const BITS: usize, E: Element>(
     numbers: &mut R,
     views: &[View<'_, E>],
     start: usize,
@@ -73,13 +73,13 @@ pub(super) fn gather<R: Row<Lanes<W, FUSED, E>>, const W: usize, const FUSED: bo
 
 /// [`gather`] for the columns of all orders of several numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn gather_all<'v, I, R, V, const W: usize, const FUSED: bool, E: Element + 'v>(
+pub(super) fn gather_all<'v, I, R, V, const W: usize, const BITS: usize, E: Element + 'v>(
     numbers: &mut I,
     views: &[V],
     start: usize,
 ) where
     I: Row<R>,
-    R: Row<Lanes<W, FUSED, E>>,
+    R: Row<Lanes<W, BITS, E>>,
     V: AsRef<[View<'v, E>]>,
 {
     for (numbers, views) in numbers.as_mut().iter_mut().zip(views) {

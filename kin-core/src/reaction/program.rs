@@ -142,9 +142,9 @@ impl Kernel for ProgramRun<'_> {
     type Element = f64;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) {
+    fn run<const W: usize, const BITS: usize>(self) {
         let groups = AT_ONCE / W;
-        let zero = Lanes::<W, FUSED>::constant(0.0);
+        let zero = Lanes::<W, BITS>::constant(0.0);
         let mut registers = vec![zero; self.program.registers * groups];
         for (register, value) in &self.program.constants {
             registers[*register as usize * groups..][..groups].fill(Lanes([*value; W]));

@@ -822,7 +822,7 @@ mod tests {
             assert_eq!(in_slices::<f64>(guess), in_arrays::<f64>(guess));
             assert_eq!(in_slices::<f32>(guess), in_arrays::<f32>(guess));
             assert_eq!(in_slices::<Series<4>>(guess), in_arrays::<Series<4>>(guess));
-            let lanes = |[x, y]: [Lanes<4, false>; 2]| [x.0, y.0];
+            let lanes = |[x, y]: [Lanes<4, 128>; 2]| [x.0, y.0];
             let found = lanes(in_slices(guess));
             assert_eq!(found, lanes(in_arrays(guess)));
             assert!((found[0][3] - coupler).abs() < 1e-12, "{found:?}");

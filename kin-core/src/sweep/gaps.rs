@@ -154,7 +154,7 @@ impl Kernel for AnyDisagrees<'_> {
     type Element = f64;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> bool {
+    fn run<const W: usize, const BITS: usize>(self) -> bool {
         let ends = self.variables.iter().zip(&self.variables[1..]);
         let velocities = self.velocity.iter().zip(&self.velocity[1..]);
         let accelerations = self.acceleration.iter().zip(&self.acceleration[1..]);

@@ -203,7 +203,7 @@ impl Kernel for MovesBy<'_> {
     type Element = f64;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> bool {
+    fn run<const W: usize, const BITS: usize>(self) -> bool {
         let pairs = self.values.iter().zip(self.values.get(1..).unwrap_or_default());
         pairs.fold(true, |all, (one, other)| all & ((other - one).abs() <= self.most))
     }
@@ -223,7 +223,7 @@ impl Kernel for IsPredicted<'_> {
     type Element = f64;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> bool {
+    fn run<const W: usize, const BITS: usize>(self) -> bool {
         let half = 0.5 * self.time;
         let variables = self.variables.iter().zip(self.variables.get(1..).unwrap_or_default());
         let values = self.values.iter().zip(self.values.get(1..).unwrap_or_default());

@@ -180,7 +180,8 @@ impl ProgramText<'_> {
             return value;
         }
         let (runtime, function, terms) = (self.mechanism.runtime, local(function), self.values(terms));
-        quote!(#runtime::solve::#function(#value, || [#(#terms),*]))
+        // A long closure would not be inlined into the code that is compiled for the machine's vectors.
+        quote!(#runtime::solve::#function(#value, #[inline(always)] || [#(#terms),*]))
     }
 
     fn argument(&self, argument: &Argument) -> TokenStream {

@@ -73,7 +73,7 @@ impl Kernel for Reduction<'_> {
     type Element = f64;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) {
+    fn run<const W: usize, const BITS: usize>(self) {
         for fold in self.folds {
             let values = &fold.room.0[..self.count];
             // The sine of an unknown that is not a direction is missing in every pose.

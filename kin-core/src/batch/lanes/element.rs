@@ -1,5 +1,6 @@
 //! The plain numbers of which lanes consist.
 
+use super::instructions::Instructions;
 use super::verdicts::Judged;
 use crate::batch::dispatch::Kernel;
 use crate::number::elementary::Elementary;
@@ -8,7 +9,7 @@ use crate::solve::{Real, Scalar};
 /// A plain number of which a batch consists: `f64` or `f32`.
 ///
 /// The vectors of a machine hold twice as many numbers of single precision.
-pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sync {
+pub trait Element: Scalar + Real<Truth = bool> + Elementary + Instructions + Judged + Send + Sync {
     /// [`Scalar::DOUBT`] of lanes, about 4500 ε: the steps before a sum may have magnified rounding a thousand times.
     #[doc(hidden)]
     const DOUBT_IN_LANES: f64;
@@ -20,7 +21,7 @@ pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sy
 
     /// Runs a kernel in `DOUBLES` lanes of double precision, or in `SINGLES` lanes of single precision.
     #[doc(hidden)]
-    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result;
+    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const BITS: usize>(kernel: K) -> K::Result;
 }
 
 impl Element for f64 {
@@ -29,8 +30,8 @@ impl Element for f64 {
     const LARGEST_MEASURED: Self = f64::from_bits((1023 + 480) << 52);
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {
-        kernel.run::<DOUBLES, FUSED>()
+    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const BITS: usize>(kernel: K) -> K::Result {
+        kernel.run::<DOUBLES, BITS>()
     }
 }
 
@@ -40,7 +41,7 @@ impl Element for f32 {
     const LARGEST_MEASURED: Self = f32::from_bits((127 + 60) << 23);
 
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {
-        kernel.run::<SINGLES, FUSED>()
+    fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const BITS: usize>(kernel: K) -> K::Result {
+        kernel.run::<SINGLES, BITS>()
     }
 }

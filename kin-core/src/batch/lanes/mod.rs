@@ -27,10 +27,12 @@ macro_rules! for_each_lane {
 pub(in crate::batch) use for_each_lane;
 
 mod element;
+mod instructions;
 mod newton;
 pub(in crate::batch) mod verdicts;
 
 pub use element::Element;
+use instructions::{Instructions, is_fused};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -42,12 +44,12 @@ use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent,
 use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, Equations, Measure, NewtonMemory, RowMeasure, Scalar};
 
-/// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
+/// `W` numbers, calculated with vectors of `BITS` bits.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Lanes<const W: usize, const FUSED: bool, E = f64>(pub(crate) [E; W]);
+pub(crate) struct Lanes<const W: usize, const BITS: usize, E = f64>(pub(crate) [E; W]);
 
-impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Lanes<W, BITS, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn from_fn(mut function: impl FnMut(usize) -> E) -> Self {
         let mut lanes = [E::zero(); W];
@@ -147,72 +149,52 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Add for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Add for Lanes<W, BITS, E> {
     type Output = Self;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
-        let mut result = self;
-        for_each_lane!(lane in 0..W {
-            result.0[lane] = self.0[lane] + other.0[lane];
-        });
-        result
+        Self(E::sum::<W, BITS>(&self.0, &other.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Sub for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Sub for Lanes<W, BITS, E> {
     type Output = Self;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
-        let mut result = self;
-        for_each_lane!(lane in 0..W {
-            result.0[lane] = self.0[lane] - other.0[lane];
-        });
-        result
+        Self(E::difference::<W, BITS>(&self.0, &other.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Mul for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Mul for Lanes<W, BITS, E> {
     type Output = Self;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
-        let mut result = self;
-        for_each_lane!(lane in 0..W {
-            result.0[lane] = self.0[lane] * other.0[lane];
-        });
-        result
+        Self(E::product::<W, BITS>(&self.0, &other.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Div for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Div for Lanes<W, BITS, E> {
     type Output = Self;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
-        let mut result = self;
-        for_each_lane!(lane in 0..W {
-            result.0[lane] = self.0[lane] / other.0[lane];
-        });
-        result
+        Self(E::quotient::<W, BITS>(&self.0, &other.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Neg for Lanes<W, BITS, E> {
     type Output = Self;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
-        let mut result = self;
-        for_each_lane!(lane in 0..W {
-            result.0[lane] = -self.0[lane];
-        });
-        result
+        Self(E::opposite::<W, BITS>(&self.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Number for Lanes<W, BITS, E> {
     const EPSILON: f64 = E::EPSILON;
     const SMALLEST_DIVISOR: f64 = E::SMALLEST_DIVISOR;
 
@@ -235,7 +217,7 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
-        self.map(Float::sqrt)
+        Self(E::square_root::<W, BITS>(&self.0))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -245,7 +227,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
             let angle = self.0[lane];
             // NaN where the polynomials are not valid.
             let angle = if is_near(angle) { angle } else { E::nan() };
-            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED, E>(angle);
+            (sine.0[lane], cosine.0[lane]) = if is_fused(BITS) {
+                near_sine_cosine::<true, true, E>(angle)
+            } else {
+                near_sine_cosine::<false, false, E>(angle)
+            };
         });
         (sine, cosine)
     }
@@ -269,8 +255,12 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     fn atan2(self, x: Self) -> Self {
         let mut result = self;
         for_each_lane!(lane in 0..W {
-            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED, E>(self.0[lane], x.0[lane]);
-            result.0[lane] = if FUSED || ordinary { angle } else { E::nan() };
+            result.0[lane] = if is_fused(BITS) {
+                ordinary_arc_tangent::<true, true, E>(self.0[lane], x.0[lane]).0
+            } else {
+                let (angle, ordinary) = ordinary_arc_tangent::<false, false, E>(self.0[lane], x.0[lane]);
+                if ordinary { angle } else { E::nan() }
+            };
         });
         result
     }
@@ -317,32 +307,16 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
-        if FUSED {
-            let mut result = self;
-            for_each_lane!(lane in 0..W {
-                result.0[lane] = Float::mul_add(a.0[lane], b.0[lane], self.0[lane]);
-            });
-            result
-        } else {
-            self + a * b
-        }
+        Self(<E as Instructions>::plus_product::<W, BITS>(&self.0, &a.0, &b.0))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
-        if FUSED {
-            let mut result = self;
-            for_each_lane!(lane in 0..W {
-                result.0[lane] = Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]);
-            });
-            result
-        } else {
-            self - a * b
-        }
+        Self(<E as Instructions>::minus_product::<W, BITS>(&self.0, &a.0, &b.0))
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E> {
+impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E> {
     const DOUBT: f64 = E::DOUBT_IN_LANES;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -459,16 +433,16 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
 
 /// Records verdicts about lanes that fail a check.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: Element>(
-    check: impl Check<Lanes<W, FUSED, E>, N, K>,
-    failing: Lanes<W, FUSED, E>,
-    root: Lanes<W, FUSED, E>,
+fn judge<const W: usize, const BITS: usize, const N: usize, const K: usize, E: Element>(
+    check: impl Check<Lanes<W, BITS, E>, N, K>,
+    failing: Lanes<W, BITS, E>,
+    root: Lanes<W, BITS, E>,
 ) {
     let Some([margin, scale]) = check.shortfall(root) else {
         verdicts::record(failing);
         return;
     };
-    verdicts::record(Lanes::<W, FUSED, E>::from_fn(|lane| {
+    verdicts::record(Lanes::<W, BITS, E>::from_fn(|lane| {
         verdict(failing.0[lane], margin.0[lane], scale.0[lane])
     }));
 }
@@ -490,7 +464,7 @@ fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
 
 /// The other leg of a right triangle whose hypotenuse is 1.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn leg<const W: usize, const FUSED: bool, E: Element>(known: Lanes<W, FUSED, E>) -> Lanes<W, FUSED, E> {
-    let one = Lanes::<W, FUSED, E>::constant(1.0);
+fn leg<const W: usize, const BITS: usize, E: Element>(known: Lanes<W, BITS, E>) -> Lanes<W, BITS, E> {
+    let one = Lanes::<W, BITS, E>::constant(1.0);
     Number::sqrt((one - known) * (one + known))
 }

@@ -20,11 +20,11 @@ const ITERATIONS: u32 = 12;
 const LARGEST_CHANGE: f64 = 0.03;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
-    point: &mut [Lanes<W, FUSED, E>],
-    sizes: &[Lanes<W, FUSED, E>],
-    memory: NewtonMemory<'_, Lanes<W, FUSED, E>>,
-    mut equations: impl Equations<Lanes<W, FUSED, E>>,
+pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
+    point: &mut [Lanes<W, BITS, E>],
+    sizes: &[Lanes<W, BITS, E>],
+    memory: NewtonMemory<'_, Lanes<W, BITS, E>>,
+    mut equations: impl Equations<Lanes<W, BITS, E>>,
 ) -> Result<(), Failure> {
     let [residuals, correction, root] = memory.vectors;
     let (factors, rows) = (memory.matrix, memory.rows);
@@ -33,7 +33,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
     // one in the lanes that have not ended, and zero in the others
     let mut pending = one;
     // the length of the step before, and the determinant where it began
-    let mut previous: Option<(Lanes<W, FUSED, E>, Determinant<Lanes<W, FUSED, E>>)> = None;
+    let mut previous: Option<(Lanes<W, BITS, E>, Determinant<Lanes<W, BITS, E>>)> = None;
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
@@ -96,26 +96,26 @@ pub(super) fn root<const W: usize, const FUSED: bool, E: Element>(
 
 /// Whether a condition is one in any lane.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn is_any<const W: usize, const FUSED: bool, E: Element>(condition: Lanes<W, FUSED, E>) -> bool {
+fn is_any<const W: usize, const BITS: usize, E: Element>(condition: Lanes<W, BITS, E>) -> bool {
     condition.0.iter().any(|lane| *lane > E::zero())
 }
 
 /// One in the lanes where a number is at most another, and zero in the others.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn at_most<const W: usize, const FUSED: bool, E: Element>(
-    one: Lanes<W, FUSED, E>,
-    other: Lanes<W, FUSED, E>,
-) -> Lanes<W, FUSED, E> {
+fn at_most<const W: usize, const BITS: usize, E: Element>(
+    one: Lanes<W, BITS, E>,
+    other: Lanes<W, BITS, E>,
+) -> Lanes<W, BITS, E> {
     one.with(other, |one, other| if one <= other { E::one() } else { E::zero() })
 }
 
 /// One number where a condition is one, and another where it is zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn chosen<const W: usize, const FUSED: bool, E: Element>(
-    condition: Lanes<W, FUSED, E>,
-    one: Lanes<W, FUSED, E>,
-    other: Lanes<W, FUSED, E>,
-) -> Lanes<W, FUSED, E> {
+fn chosen<const W: usize, const BITS: usize, E: Element>(
+    condition: Lanes<W, BITS, E>,
+    one: Lanes<W, BITS, E>,
+    other: Lanes<W, BITS, E>,
+) -> Lanes<W, BITS, E> {
     Lanes::from_fn(|lane| {
         if condition.0[lane] > E::zero() {
             one.0[lane]
@@ -127,7 +127,7 @@ fn chosen<const W: usize, const FUSED: bool, E: Element>(
 
 /// The largest magnitude in each lane. NaN does not count: the lane that has it ends as NaN anyway.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn largest<const W: usize, const FUSED: bool, E: Element>(vector: &[Lanes<W, FUSED, E>]) -> Lanes<W, FUSED, E> {
+fn largest<const W: usize, const BITS: usize, E: Element>(vector: &[Lanes<W, BITS, E>]) -> Lanes<W, BITS, E> {
     let sizes = vector.iter().map(|entry| entry.map(E::size));
     sizes.fold(Lanes::constant(0.0), |largest, size| largest.with(size, larger))
 }
@@ -137,7 +137,7 @@ mod tests {
     use super::*;
     use crate::solve::newton;
 
-    type Four = Lanes<4, false>;
+    type Four = Lanes<4, 128>;
 
     /// The system x² + y = p, x y³ = q, with its Jacobian.
     fn system<T: crate::solve::Scalar>(p: T, q: T) -> impl Fn([T; 2]) -> ([T; 2], [[T; 2]; 2]) {

@@ -80,7 +80,7 @@ pub(in crate::batch) fn forget<E: Element>() {
 
 /// The verdicts since they were last forgotten.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in crate::batch) fn read<const W: usize, const FUSED: bool, E: Element>() -> Lanes<W, FUSED, E> {
+pub(in crate::batch) fn read<const W: usize, const BITS: usize, E: Element>() -> Lanes<W, BITS, E> {
     #[cfg(feature = "std")]
     {
         let all = E::verdicts();
@@ -93,7 +93,7 @@ pub(in crate::batch) fn read<const W: usize, const FUSED: bool, E: Element>() ->
 
 /// Records a verdict for the lanes where `news` is not zero, unless an earlier check has left one.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn record<const W: usize, const FUSED: bool, E: Element>(news: Lanes<W, FUSED, E>) {
+pub(super) fn record<const W: usize, const BITS: usize, E: Element>(news: Lanes<W, BITS, E>) {
     #[cfg(feature = "std")]
     {
         let mut all = E::verdicts();
@@ -115,7 +115,7 @@ mod tests {
     use crate::number::Number;
     use crate::solve::{circle_circle, linear};
 
-    type Four = Lanes<4, false>;
+    type Four = Lanes<4, 128>;
 
     /// Two links of lengths 3 and 4 over a distance.
     fn spans(distances: [f64; 4]) -> bool {
@@ -128,7 +128,7 @@ mod tests {
     fn a_lane_out_of_reach_has_a_margin() {
         forget::<f64>();
         assert!(spans([5.0, 9.0, 7.0, 0.25]));
-        let Lanes([inside, beyond, touching, below]) = read::<4, false, f64>();
+        let Lanes([inside, beyond, touching, below]) = read::<4, 128, f64>();
         assert_eq!([inside, beyond, below], [0.0, -2.0, -0.75]);
         assert!(
             touching.is_nan(),
@@ -144,18 +144,18 @@ mod tests {
         assert!(linear(Lanes([1.0, 0.0, 1.0, 1.0]), one).is_ok());
         assert!(spans([5.0, 9.0, 8.0, 6.0]));
         assert!(spans([10.0, 9.0, 10.0, 6.0]));
-        let Lanes([late, unknown, early, never]) = read::<4, false, f64>();
+        let Lanes([late, unknown, early, never]) = read::<4, 128, f64>();
         assert_eq!([late, early, never], [-3.0, -1.0, 0.0]);
         assert!(unknown.is_nan());
         forget::<f64>();
-        assert_eq!(read::<4, false, f64>().0, zero.0);
+        assert_eq!(read::<4, 128, f64>().0, zero.0);
     }
 
     #[test]
     fn all_lanes_may_fail() {
         forget::<f64>();
         assert!(spans([8.0, 9.0, 10.0, 11.0]));
-        assert_eq!(read::<4, false, f64>().0, [-1.0, -2.0, -3.0, -4.0]);
+        assert_eq!(read::<4, 128, f64>().0, [-1.0, -2.0, -3.0, -4.0]);
     }
 
     /// Lengths whose squares overflow or lose digits are left to the solver for one pose.
@@ -164,7 +164,7 @@ mod tests {
         for distance in [1e160, f64::INFINITY, f64::NAN] {
             forget::<f64>();
             spans([5.0, distance, 5.0, 5.0]);
-            let Lanes([_, verdict, ..]) = read::<4, false, f64>();
+            let Lanes([_, verdict, ..]) = read::<4, 128, f64>();
             assert!(verdict.is_nan(), "{distance}: {verdict}");
         }
     }

@@ -312,7 +312,7 @@ mod tests {
     #[test]
     fn nor_for_one_of_several_poses() {
         for function in [
-            square_root_of::<Lanes<2, false>>,
+            square_root_of::<Lanes<2, 128>>,
             logarithm,
             square_of_root,
             area_hyperbolic_cosine,

@@ -166,7 +166,7 @@ mod tests {
     };
     use core::f64::consts::{FRAC_PI_2, PI};
 
-    type Four = Lanes<4, false>;
+    type Four = Lanes<4, 128>;
 
     #[test]
     fn one_pose_decides_by_itself() {
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn several_poses_keep_what_is_larger_than_rounding() {
-        let numbers = Lanes::<4, false>([0.0, 1e-13, -1e-11, 1.0]);
+        let numbers = Lanes::<4, 128>([0.0, 1e-13, -1e-11, 1.0]);
         let one = Lanes::constant(1.0);
         let kept = decisive(numbers, || [one, -one]).0;
         assert!(kept[0].is_nan() && kept[1].is_nan());

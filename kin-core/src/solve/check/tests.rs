@@ -206,7 +206,7 @@ fn margins_are_positive_where_checks_hold() {
 /// Each of several poses has a separate margin.
 #[test]
 fn lanes_have_margins() {
-    let determinants = Lanes::<4, false>([0.5, -2.0, 0.0, f64::NAN]);
+    let determinants = Lanes::<4, 128>([0.5, -2.0, 0.0, f64::NAN]);
     let margins = Regular(determinants).margin();
     assert_eq!(margins.0[..3], [0.5, 2.0, 0.0]);
     assert!(margins.0[3].is_nan());

@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn of_several_poses_those_whose_orientation_is_uncertain_are_left_to_others() {
-        let orientations = [Lanes::<4, false>([-1.0, f64::NAN, -2.0, 3.0]), Lanes([1.0; 4])];
+        let orientations = [Lanes::<4, 128>([-1.0, f64::NAN, -2.0, 3.0]), Lanes([1.0; 4])];
         let [Lanes(kept)] = agreeing([Lanes([0.1, 0.2, 0.3, 0.4])], orientations);
         assert_eq!([kept[0], kept[2]], [0.1, 0.3]);
         assert!(kept[1].is_nan() && kept[3].is_nan(), "{kept:?}");
@@ -305,7 +305,7 @@ mod tests {
     /// Only poses in the assembly of the first one continue.
     #[test]
     fn poses_of_another_assembly_are_left() {
-        let near = [Lanes::<4, false>([1.0, 2.0, 3.0, 4.0])];
+        let near = [Lanes::<4, 128>([1.0, 2.0, 3.0, 4.0])];
         let first = Lanes([1.0, 0.0, -2.0, 3.0]);
         let second = Lanes([-1.0, -2.0, -3.0, 4.0]);
         let [Lanes(kept)] = agreeing(near, [first, second]);
