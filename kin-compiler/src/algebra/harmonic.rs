@@ -98,6 +98,15 @@ impl Monomial {
             harmonic: Harmonic::One,
         }
     }
+
+    fn is_linear(&self) -> bool {
+        match &self.harmonic {
+            Harmonic::One => self.powers.values().sum::<i32>() <= 1 && self.powers.values().all(|&power| power == 1),
+            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => {
+                self.powers.is_empty() && matches!(angle.0.as_slice(), [(_, 1)])
+            }
+        }
+    }
 }
 
 /// Coefficients by monomial. No coefficient is zero.
@@ -125,6 +134,11 @@ impl TrigonometricPolynomial {
 
     fn is_constant(&self) -> bool {
         self.0.keys().all(|monomial| *monomial == Monomial::one())
+    }
+
+    /// Whether each term contains at most one variable, as itself or in the cosine or sine of an angle.
+    pub(crate) fn is_linear(&self) -> bool {
+        self.0.keys().all(Monomial::is_linear)
     }
 
     fn accumulate(&mut self, graph: &mut Graph, monomial: Monomial, coefficient: Node) {

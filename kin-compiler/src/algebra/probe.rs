@@ -137,6 +137,23 @@ impl Graph {
         }
     }
 
+    /// The number by which `part` is multiplied in `whole`, if that is `part` times a number that single precision
+    /// holds: one that somebody wrote, or that a rule of differentiation gives.
+    pub(crate) fn multiple(&mut self, whole: Node, part: Node) -> Option<f64> {
+        const ROUNDING: f64 = 1e-12;
+        let (whole, part) = (self.probe(whole), self.probe(part));
+        let quotients = whole.into_iter().zip(part).map(|(whole, part)| whole / part);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the test that follows is of the rounded number"
+        )]
+        let number = f64::from(quotients.clone().find(|quotient| quotient.is_finite())? as f32);
+        let is_number = quotients
+            .filter(|quotient| !quotient.is_nan())
+            .all(|quotient| (quotient - number).abs() <= ROUNDING * number.abs());
+        (is_number && number != 0.0).then_some(number)
+    }
+
     /// Whether an expression is negative at the first point. This sign does not depend on how the expression was typed.
     pub(crate) fn probes_negative(&mut self, node: Node) -> bool {
         self.probe(node)
@@ -189,6 +206,29 @@ mod tests {
         let small = graph.scale(1e-200, radius);
         let with_small = graph.linear(0.0, &[(first, 2.0), (radius, 1e-200)]);
         assert!(!graph.cancels(small) && !graph.cancels(with_small) && !graph.cancels(cosine));
+    }
+
+    /// A number by which an expression is multiplied is found, and no other quotient.
+    #[test]
+    fn multiples_by_numbers_are_found() {
+        let mut graph = Graph::new();
+        let (x, length) = (graph.symbol(Symbol::Unknown(0)), graph.symbol(Symbol::Parameter(0)));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let part = graph.linear(0.0, &[(cosine, 1.0), (sine, -1.0)]);
+        for (first, second, expected) in [
+            (2.0, -2.0, Some(2.0)),
+            (-0.5, 0.5, Some(-0.5)),
+            (1.0, 1.0, None),
+            // single precision does not hold a third
+            (1.0 / 3.0, -1.0 / 3.0, None),
+            (1.0, -1.000_000_1, None),
+        ] {
+            let whole = graph.linear(0.0, &[(cosine, first), (sine, second)]);
+            assert_eq!(graph.multiple(whole, part), expected, "{first} {second}");
+        }
+        let longer = graph.multiply(length, part);
+        let zero = graph.zero();
+        assert_eq!([longer, zero].map(|whole| graph.multiple(whole, part)), [None, None]);
     }
 
     /// Whether an expression vanishes does not depend on the unit.

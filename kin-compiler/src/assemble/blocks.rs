@@ -94,7 +94,7 @@ fn steps(
             builder.steps.push(Step::Open { part: number, mode });
             choices.push(Choice { mode, orientation });
             match &part.method {
-                Method::Closed(form) => builder.form(form),
+                Method::Closed(form) => builder.form(form, jacobian),
                 Method::Newton { residuals, .. } => builder.newton(number, &part.unknowns, residuals),
             }
             builder.bounds(part, ranges);
@@ -204,7 +204,8 @@ impl Builder<'_> {
         });
     }
 
-    pub(super) fn form(&mut self, form: &ClosedForm) {
+    /// Solves a closed form of a block with this Jacobian.
+    pub(super) fn form(&mut self, form: &ClosedForm, jacobian: Option<&Regularity>) {
         match form {
             ClosedForm::Linear {
                 unknown,
@@ -235,19 +236,7 @@ impl Builder<'_> {
                 let (known, found) = self.inverse_circular(Solver::InverseSine, *unknown, *radius, *height);
                 self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
-            ClosedForm::CosineSine { unknown, a, b, c } => {
-                let sizes = [*a, *b].map(|node| self.graph.amplitude(node));
-                let size = match sizes {
-                    [Some(a), Some(b)] => a + b,
-                    // nothing is known of lengths
-                    _ => 0.0,
-                };
-                let mut arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
-                arguments.push(FormArgument::Known(size));
-                let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
-                self.solve(Solver::CosineSine, arguments, vec![x, y]);
-                self.turn(*unknown, unit);
-            }
+            ClosedForm::CosineSine { unknown, a, b, c } => self.cosine_sine(*unknown, [*a, *b, *c], jacobian),
             ClosedForm::Inverse {
                 inverse,
                 value,
@@ -256,7 +245,7 @@ impl Builder<'_> {
                 ..
             } => {
                 self.inverse(*inverse, *value, *result);
-                self.form(then);
+                self.form(then, jacobian);
             }
             ClosedForm::EvenInverse {
                 inverse,
@@ -311,6 +300,42 @@ impl Builder<'_> {
             } => {
                 self.polar(*length, *angle, *mirrored, *offset, *target);
             }
+        }
+    }
+
+    /// Solves a cos x + b sin x = c. The derivative by x is the opposite of the root.
+    fn cosine_sine(&mut self, unknown: usize, [a, b, c]: [Node; 3], jacobian: Option<&Regularity>) {
+        let size = match [a, b].map(|node| self.graph.amplitude(node)) {
+            [Some(a), Some(b)] => a + b,
+            // nothing is known of lengths
+            _ => 0.0,
+        };
+        let mut arguments = [a, b, c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+        arguments.push(FormArgument::Known(size));
+        let name = self.unknown_name(unknown);
+        let ([x, y], unit) = self.fresh_plane(&name);
+        let (root, value) = self.fresh(&format!("{name}_root"));
+        let (root_squared, square) = self.fresh(&format!("{name}_root_squared"));
+        self.solve(Solver::CosineSine, arguments, vec![x, y, root, root_squared]);
+        self.turn(unknown, unit);
+        let angle = self.graph.symbol(Symbol::Unknown(unknown));
+        let (cosine, sine) = (self.graph.cosine(angle), self.graph.sine(angle));
+        let [by_sine, by_cosine] = [(a, sine), (b, cosine)].map(|(part, unit)| self.graph.multiply(part, unit));
+        let slope = self.graph.subtract(by_sine, by_cosine);
+        if let Some(&Regularity::Determinant(determinant)) = jacobian
+            && let Some(multiple) = self.graph.multiple(determinant, slope)
+        {
+            let determinant = self.known(determinant);
+            let (coefficient, base) = self.graph.split_coefficient(determinant);
+            self.learn_root(KnownRoot {
+                base,
+                value,
+                square,
+                factor: coefficient / multiple,
+                names: ["inverse_square".to_owned(), format!("inverse_{name}_root")],
+            });
+        } else {
+            self.nonzero.push(square);
         }
     }
 

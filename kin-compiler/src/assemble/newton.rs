@@ -84,7 +84,7 @@ impl Builder<'_> {
             self.turn(unknown, unit);
         }
         for relation in &all.relations {
-            self.form(relation);
+            self.form(relation, None);
         }
         self.steps.push(Step::Close { part });
     }

@@ -78,10 +78,23 @@ impl Reciprocals {
 
 #[cfg(test)]
 mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
     use crate::passes::Passes;
     use crate::program::Step;
     use crate::testing::declarations::{four_bar, inverted_slider_crank, slider_crank};
     use crate::testing::sound;
+
+    /// A link about an inclined axis, the end of which stays at a height.
+    fn inclined_crank() -> TokenStream {
+        quote! {
+            struct Inclined { arm: Vector, lift: Scalar }
+            input height: Length;
+            unknown phi: Angle;
+            arm.x * cos(phi) + arm.y * sin(phi) == lift * height;
+        }
+    }
 
     /// Rates divide only by the square of a root, and only once.
     #[test]
@@ -90,6 +103,7 @@ mod tests {
             (four_bar(), "double_inverse_square", "inverse_determinant"),
             (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
             (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
+            (inclined_crank(), "inverse_square", "inverse_phi_root"),
         ] {
             let solvers = sound(declaration).solvers(Passes::ALL);
             let [_, velocity, later @ ..] = solvers.orders() else {

@@ -115,6 +115,10 @@ const TERMS_FOR_EACH_NODE: usize = 2;
 pub(crate) struct Differentiable {
     pub(crate) residuals: Vec<Node>,
     pub(crate) outputs: Vec<Node>,
+    /// The outputs in the form in which the position evaluates them: multiplied out if that makes them linear in the
+    /// variables and in the cosines and sines of angles, so that values and rates share their coefficients. Other
+    /// products may cancel where they are multiplied out.
+    pub(crate) values: Vec<Node>,
     /// Whether multiplying out was given up for size.
     pub(crate) is_given_up: bool,
 }
@@ -144,18 +148,21 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
             choose(graph, residual, equation, is_complete)
         })
         .collect();
-    let outputs = outputs
+    let (outputs, values) = outputs
         .iter()
         .map(|&output| {
             let mut expansion = Expansion::new(graph, Variables::Position);
             let formula = if expand { expansion.polynomial(output) } else { None };
             let is_complete = expansion.is_complete();
-            choose(graph, output, formula, is_complete)
+            let is_linear = formula.as_ref().is_some_and(TrigonometricPolynomial::is_linear);
+            let chosen = choose(graph, output, formula, is_complete);
+            (chosen, if is_linear { chosen } else { output })
         })
-        .collect();
+        .unzip();
     Differentiable {
         residuals,
         outputs,
+        values,
         is_given_up,
     }
 }

@@ -177,7 +177,7 @@ impl<'a> Draft<'a> {
 
     /// Defines the values of the outputs.
     fn define_outputs(&mut self) {
-        for (index, &output) in self.task.outputs.iter().enumerate() {
+        for (index, &output) in self.derived.form.formulas.values.iter().enumerate() {
             let step = self.definition(Symbol::OutputRate(index, 0), output);
             self.stages[0].steps.push(step);
         }

@@ -144,8 +144,8 @@ impl Solver {
 
     pub(crate) const fn returns(self) -> Returns {
         match self {
-            Self::CircleCircle => Returns::PlaneAndRoot,
-            Self::CircleCircleSquared | Self::CosineSine => Returns::Plane,
+            Self::CircleCircle | Self::CosineSine => Returns::PlaneAndRoot,
+            Self::CircleCircleSquared => Returns::Plane,
             Self::CircleLine => Returns::PlaneAndScalar,
             Self::CircleLineX | Self::CircleLineY => Returns::RootAndScalar,
             Self::Polar | Self::InverseCosine | Self::InverseSine => Returns::Root,
@@ -191,16 +191,12 @@ impl Solver {
             | Self::CircleCircleSquared
             | Self::Polar
             | Self::PolarOffset
+            | Self::CosineSine
             | Self::InverseCosine
             | Self::InverseSine
             | Self::SquareRoot
             | Self::EvenInverse(_) => !is_open,
-            Self::CircleLine
-            | Self::CosineSine
-            | Self::Linear
-            | Self::LinearPair
-            | Self::Quadratic
-            | Self::Inverse(_) => false,
+            Self::CircleLine | Self::Linear | Self::LinearPair | Self::Quadratic | Self::Inverse(_) => false,
         };
         let negations = if changes_sign { 1 } else { 0 };
         Cost { negations, ..work }

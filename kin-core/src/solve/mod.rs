@@ -8,7 +8,7 @@
 //! | the same along an axis | [`circle_line_x`], [`circle_line_y`] | 2, 1, 0, 1 and a change of sign if open |
 //! | a length and its direction | [`polar`] | 1, 2, 0, 1 and a change of sign if crossed |
 //! | the same with an offset | [`polar_offset`] | 5, 9, 1, 1 and a change of sign if crossed |
-//! | one angle from its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 |
+//! | one angle from its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 and a change of sign if crossed |
 //! | one angle from one of them | [`inverse_cosine`], [`inverse_sine`] | 2, 1, 0, 1 and a change of sign if crossed |
 //! | one number from its hyperbolic cosine | [`inverse_hyperbolic_cosine`] | a function of the number library, and a change of sign if crossed |
 //! | one unknown | [`linear`] | 0, 0, 1, 0 |

@@ -63,7 +63,7 @@ counts! {
     polar_offset: |assembly| solve::polar_offset(vector(1.0, 2.0), vector(4.0, 3.0), assembly)
         => "5a 9m 1d 0n 1r", "5a 9m 1d 1n 1r";
     cosine_sine: |assembly| solve::cosine_sine(number(3.0), number(4.0), number(2.0), 7.0, assembly)
-        => "4a 9m 1d 0n 1r", "4a 9m 1d 0n 1r";
+        => "4a 9m 1d 0n 1r", "4a 9m 1d 1n 1r";
     inverse_cosine: |assembly| solve::inverse_cosine(number(0.6), number(1.0), assembly)
         => "2a 1m 0d 0n 1r", "2a 1m 0d 1n 1r";
     inverse_sine: |assembly| solve::inverse_sine(number(0.6), number(1.0), assembly)

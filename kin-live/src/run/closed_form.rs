@@ -80,7 +80,8 @@ impl<T: Scalar, W: Way<T>, const C: usize> Run<'_, '_, T, W, C> {
             }
             (ClosedForm::CosineSine, [a, b, c, Argument::Known(size)]) => {
                 let (a, b, c) = (self.scalar(a), self.scalar(b), self.scalar(c));
-                Found::Plane(solve::cosine_sine(a, b, c, *size, assembly)?)
+                let (plane, root) = solve::cosine_sine(a, b, c, *size, assembly)?;
+                Found::PlaneAndRoot(plane, root)
             }
             (ClosedForm::InverseCosine, [width, radius]) => {
                 let (width, radius) = (self.scalar(width), self.scalar(radius));

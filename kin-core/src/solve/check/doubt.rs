@@ -232,7 +232,7 @@ mod tests {
     fn coefficients_that_may_be_zeros_are_left_to_others() {
         let coefficients = Lanes([1.0, 1e-16, 1e-9, 1.79e-15]);
         let zero = Four::constant(0.0);
-        let Plane { x, .. } = cosine_sine(coefficients, zero, zero, 1.0, Assembly::Open).unwrap();
+        let (Plane { x, .. }, _) = cosine_sine(coefficients, zero, zero, 1.0, Assembly::Open).unwrap();
         // the last one is clearly larger than 8 ε
         assert_eq!(x.0.map(f64::is_finite), [true, false, true, true]);
         for coefficient in coefficients.0 {
@@ -280,7 +280,7 @@ mod tests {
             1.0 * unit,
             5.0 * unit,
             |c| cosine_sine(long(3.0), long(4.0), c, 7.0 * unit, open).unwrap(),
-            |r| r.x,
+            |r| r.0.x,
         );
         leaves_the_second(
             1.0 * unit,

@@ -1,6 +1,7 @@
 //! One angle from an equation in its cosine and sine.
 
 use super::refusal::{length, refusal};
+use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
@@ -20,7 +21,11 @@ const ROUNDING: f64 = 8.0;
 /// known of it: rounding leaves coefficients of a part of it that stand for zeros. [`Assembly::Open`] is x = atan2(b,
 /// a) + acos(c / ρ), with ρ² = a² + b²; the crossed solution has the minus sign.
 ///
-/// It takes 15 operations: 4 additions, 9 multiplications, 1 division, 1 square root.
+/// The second result is the root, a sin x - b cos x = ± √(ρ² - c²), positive in the open assembly. The divisor of rates
+/// is its opposite.
+///
+/// It takes 15 operations: 4 additions, 9 multiplications, 1 division, 1 square root; and one change of sign in the
+/// crossed assembly.
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin ρ - |c|, [`Failure::Singular`] if the margin is zero or if `a` and `b` are
@@ -29,14 +34,15 @@ const ROUNDING: f64 = 8.0;
 /// ```
 /// use kin_core::{Assembly, solve};
 ///
-/// let u = solve::cosine_sine(3.0_f64, 4.0, 3.0, 0.0, Assembly::Crossed)?;
+/// let (u, root) = solve::cosine_sine(3.0_f64, 4.0, 3.0, 0.0, Assembly::Crossed)?;
 /// assert!((u.x - 1.0).abs() < 1e-15 && u.y.abs() < 1e-15);
+/// assert!((root.value + 4.0).abs() < 1e-15);
 /// // the cosine of a right angle is a zero that rounding has moved
 /// assert!(solve::cosine_sine(0.0, 90_f64.to_radians().cos(), 0.0, 1.0, Assembly::Open).is_err());
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -> Result<Plane<T>, Failure> {
+pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -> Result<(Plane<T>, Root<T>), Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
     let noise = ROUNDING * T::EPSILON * size;
@@ -46,19 +52,15 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -
         rho2,
         c,
     };
-    let Some((_, q)) = q2.rooted(reach) else {
+    let Some(root) = Root::provided(q2, reach, assembly) else {
         return Err(T::refused(|| {
             no_angle([a.real(), b.real(), c.real()], noise, T::EPSILON)
         }));
     };
     let inverse = T::constant(1.0) / rho2;
-    let cosine = c * inverse;
-    let sine = q * inverse;
-    let (along, beside) = (Plane::new(a * cosine, b * cosine), Plane::new(b * sine, a * sine));
-    Ok(Plane::new(
-        T::assembled(assembly, || along.x - beside.x, || along.x + beside.x),
-        T::assembled(assembly, || along.y + beside.y, || along.y - beside.y),
-    ))
+    let (cosine, sine) = (c * inverse, root.value * inverse);
+    let u = Plane::new(a * cosine - b * sine, b * cosine + a * sine);
+    Ok((u, root))
 }
 
 /// Whether the amplitude ρ of `a cos x + b sin x` reaches `c`.
@@ -134,7 +136,9 @@ mod tests {
             }
             let tolerance = 32.0 * f64::EPSILON * condition * condition;
             for (assembly, sign) in [(Assembly::Open, 1.0), (Assembly::Crossed, -1.0)] {
-                let u = cosine_sine(a, b, c, 0.0, assembly).unwrap();
+                let (u, root) = cosine_sine(a, b, c, 0.0, assembly).unwrap();
+                prop_assert!((coefficients.cross(u) - root.value).abs() <= tolerance * rho);
+                prop_assert_eq!(root.value > 0.0, assembly == Assembly::Open);
                 prop_assert!((norm(u) - 1.0).abs() <= tolerance);
                 prop_assert!((coefficients.dot(u) - c).abs() <= tolerance * rho);
                 let expected = direction(b.atan2(a) + sign * (c / rho).acos());
@@ -145,7 +149,7 @@ mod tests {
 
     #[test]
     fn limits_and_what_lies_beyond() {
-        let solve = |a, b, c| cosine_sine::<f64>(a, b, c, 0.0, Assembly::Open);
+        let solve = |a, b, c| cosine_sine::<f64>(a, b, c, 0.0, Assembly::Open).map(|(u, _)| u);
         let singular = Err(Failure::Singular { determinant: 0.0 });
         assert_eq!(solve(3.0, 4.0, 5.0), singular);
         assert_eq!(solve(3.0, 4.0, -5.0), singular);
