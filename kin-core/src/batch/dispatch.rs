@@ -133,7 +133,7 @@ pub trait Kernel {
         Self::AVX512.unwrap_or(Avx512::SixteenLanes)
     }
 
-    /// Runs the kernel in `W` lanes.
+    /// Runs the kernel in `W` lanes, with vectors of `BITS` bits.
     fn run<const W: usize, const BITS: usize>(self) -> Self::Result;
 }
 

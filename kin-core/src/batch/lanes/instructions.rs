@@ -1,13 +1,13 @@
 //! Vector instructions for the operations of lanes.
 //!
-//! Lanes are arrays. A loop over an array is compiled to vector instructions only if the compiler finds them again, among
-//! thousands of operations, and it may find narrower ones. So each operation names its instruction, on x86-64. Other
-//! machines get the loop.
+//! Lanes are arrays. A loop over an array is compiled to vector instructions only if the compiler finds them again,
+//! among thousands of operations, and it may find narrower ones. So each operation names its instruction, on x86-64.
+//! Other machines get the loop.
 #![cfg_attr(
     all(target_arch = "x86_64", target_feature = "sse2"),
     expect(
         unsafe_code,
-        reason = "the operations read whole vectors from arrays, and wide vectors are chosen only where a machine has them"
+        reason = "operations read whole vectors from arrays, and wide vectors are chosen only where a machine has them"
     )
 )]
 
@@ -53,8 +53,8 @@ pub trait Instructions: Copy {
 
 /// The operations for vectors of one kind.
 ///
-/// The compiler optimises each of these functions before it inlines them. A kernel calls them thousands of times: with a
-/// loop at each call, it takes a compiler twice as long.
+/// The compiler optimises each of these functions before it inlines them. A kernel calls them thousands of times: with
+/// a loop at each call, it takes a compiler twice as long.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 macro_rules! vectors {
     (

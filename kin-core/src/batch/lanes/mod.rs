@@ -1,7 +1,7 @@
 //! A number type that holds several numbers, for several poses at once.
 //!
-//! Every operation is a short loop over an array, without a branch. A compiler converts it into the widest vector
-//! instructions that the calling function may use. There are no intrinsics.
+//! No operation has a branch. Arithmetic names its [vector instructions](instructions). The other operations are short
+//! loops over an array, which a compiler converts into the widest vectors that the calling function may use.
 //!
 //! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
 //! while the other lanes continue. So a lane that is finite at the end has passed every test. A lane also becomes NaN
@@ -9,7 +9,7 @@
 //! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
 //! failed has left a [verdict](verdicts).
 
-/// Runs a block for each lane. A kernel has thousands of these loops. Iterators and closures take a compiler several
+/// Runs a block for each lane. A kernel has hundreds of these loops. Iterators and closures take a compiler several
 /// times as long, and `for` loops take it longer, because it moves their tests to the end, where this one stands.
 macro_rules! for_each_lane {
     ($lane:ident in $first:literal..$count:ident $block:block) => {
