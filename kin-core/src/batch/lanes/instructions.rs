@@ -263,6 +263,9 @@ mod tests {
             || found == expected && found.is_sign_negative() == expected.is_sign_negative()
     }
 
+    /// An operation on three numbers alone.
+    type Alone<'a, E> = &'a dyn Fn(E, E, E) -> E;
+
     /// Each operation has the result that it has for each number alone.
     fn agree<const W: usize, const BITS: usize, E: Float + Instructions + core::fmt::Debug>() {
         for first in 0..11 {
@@ -270,7 +273,7 @@ mod tests {
                 let [a, b, c] =
                     [first, second, first + 3 * second].map(|start| core::array::from_fn(|lane| number(start + lane)));
                 let fused = |a: E, b: E, c: E| if is_fused(BITS) { b.mul_add(c, a) } else { a + b * c };
-                let operations: [([E; W], &dyn Fn(E, E, E) -> E); 8] = [
+                let operations: [([E; W], Alone<'_, E>); 8] = [
                     (E::sum::<W, BITS>(&a, &b), &|a, b, _| a + b),
                     (E::difference::<W, BITS>(&a, &b), &|a, b, _| a - b),
                     (E::product::<W, BITS>(&a, &b), &|a, b, _| a * b),
