@@ -99,13 +99,18 @@ impl Monomial {
         }
     }
 
-    fn is_linear(&self) -> bool {
-        match &self.harmonic {
-            Harmonic::One => self.powers.values().sum::<i32>() <= 1 && self.powers.values().all(|&power| power == 1),
-            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => {
-                self.powers.is_empty() && matches!(angle.0.as_slice(), [(_, 1)])
-            }
-        }
+    /// The degree in the variables, where those within a sine or cosine count as often as they are in the angle.
+    pub(crate) fn degree(&self) -> usize {
+        let powers: usize = self.powers.values().map(|power| power.unsigned_abs() as usize).sum();
+        let harmonic: usize = match &self.harmonic {
+            Harmonic::One => 0,
+            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => angle
+                .0
+                .iter()
+                .map(|&(_, multiple)| multiple.unsigned_abs() as usize)
+                .sum(),
+        };
+        powers + harmonic
     }
 }
 
@@ -138,7 +143,9 @@ impl TrigonometricPolynomial {
 
     /// Whether each term contains at most one variable, as itself or in the cosine or sine of an angle.
     pub(crate) fn is_linear(&self) -> bool {
-        self.0.keys().all(Monomial::is_linear)
+        let is_linear =
+            |monomial: &Monomial| monomial.degree() <= 1 && monomial.powers.values().all(|&power| power > 0);
+        self.0.keys().all(is_linear)
     }
 
     fn accumulate(&mut self, graph: &mut Graph, monomial: Monomial, coefficient: Node) {

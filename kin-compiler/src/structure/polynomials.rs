@@ -221,7 +221,7 @@ fn lower(graph: &mut Graph, polynomials: &mut [TrigonometricPolynomial]) {
             .filter(|(_, polynomial)| degree(polynomial) == level)
             .collect();
         let pivot = |graph: &Graph, polynomial: &TrigonometricPolynomial| {
-            let mut terms = polynomial.0.iter().filter(|(monomial, _)| degree_of(monomial) == level);
+            let mut terms = polynomial.0.iter().filter(|(monomial, _)| monomial.degree() == level);
             terms.find_map(|(monomial, &coefficient)| {
                 let number = graph.as_number(coefficient)?;
                 PIVOTS.contains(&number.abs()).then(|| (monomial.clone(), number))
@@ -251,24 +251,7 @@ fn lower(graph: &mut Graph, polynomials: &mut [TrigonometricPolynomial]) {
 /// The degree of an equation in the variables. Terms with different harmonics are independent, so no term of the
 /// highest degree cancels.
 fn degree(polynomial: &TrigonometricPolynomial) -> usize {
-    polynomial.0.keys().map(degree_of).max().unwrap_or(0)
-}
-
-fn degree_of(monomial: &Monomial) -> usize {
-    let powers: usize = monomial
-        .powers
-        .values()
-        .map(|power| power.unsigned_abs() as usize)
-        .sum();
-    let harmonic: usize = match &monomial.harmonic {
-        Harmonic::One => 0,
-        Harmonic::Cosine(angle) | Harmonic::Sine(angle) => angle
-            .0
-            .iter()
-            .map(|&(_, multiple)| multiple.unsigned_abs() as usize)
-            .sum(),
-    };
-    powers + harmonic
+    polynomial.0.keys().map(Monomial::degree).max().unwrap_or(0)
 }
 
 impl PolynomialSystem {

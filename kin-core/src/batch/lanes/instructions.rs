@@ -54,7 +54,8 @@ pub trait Instructions: Copy {
 /// The operations for vectors of one kind.
 ///
 /// The compiler optimises each of these functions before it inlines them. A kernel calls them thousands of times: with
-/// a loop at each call, it takes a compiler twice as long.
+/// a loop at each call, it takes a compiler twice as long. Only the instructions and the two products with a sum differ
+/// from kind to kind, and are given; the operations stand in the second arm.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 macro_rules! vectors {
     (
@@ -94,84 +95,65 @@ macro_rules! vectors {
             )+
         }
     };
+    (
+        $kind:ident: $float:ty, $vector:ident, $features:literal;
+        $add:ident, $subtract:ident, $multiply:ident, $divide:ident, $xor:ident, $splat:ident, $square_root:ident;
+        |$a:ident, $b:ident, $c:ident| $plus_product:expr, $minus_product:expr;
+    ) => {
+        vectors! {
+            $kind: $float, $vector, $features;
+            sum($a, $b): $add($a, $b);
+            difference($a, $b): $subtract($a, $b);
+            product($a, $b): $multiply($a, $b);
+            quotient($a, $b): $divide($a, $b);
+            opposite($a): $xor($a, $splat(-0.0));
+            square_root($a): $square_root($a);
+            plus_product($a, $b, $c): $plus_product;
+            minus_product($a, $b, $c): $minus_product;
+        }
+    };
 }
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 vectors! {
     Doubles128: f64, __m128d, "sse2";
-    sum(a, b): _mm_add_pd(a, b);
-    difference(a, b): _mm_sub_pd(a, b);
-    product(a, b): _mm_mul_pd(a, b);
-    quotient(a, b): _mm_div_pd(a, b);
-    opposite(a): _mm_xor_pd(a, _mm_set1_pd(-0.0));
-    square_root(a): _mm_sqrt_pd(a);
-    plus_product(a, b, c): _mm_add_pd(a, _mm_mul_pd(b, c));
-    minus_product(a, b, c): _mm_sub_pd(a, _mm_mul_pd(b, c));
+    _mm_add_pd, _mm_sub_pd, _mm_mul_pd, _mm_div_pd, _mm_xor_pd, _mm_set1_pd, _mm_sqrt_pd;
+    |a, b, c| _mm_add_pd(a, _mm_mul_pd(b, c)), _mm_sub_pd(a, _mm_mul_pd(b, c));
 }
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 vectors! {
     Singles128: f32, __m128, "sse2";
-    sum(a, b): _mm_add_ps(a, b);
-    difference(a, b): _mm_sub_ps(a, b);
-    product(a, b): _mm_mul_ps(a, b);
-    quotient(a, b): _mm_div_ps(a, b);
-    opposite(a): _mm_xor_ps(a, _mm_set1_ps(-0.0));
-    square_root(a): _mm_sqrt_ps(a);
-    plus_product(a, b, c): _mm_add_ps(a, _mm_mul_ps(b, c));
-    minus_product(a, b, c): _mm_sub_ps(a, _mm_mul_ps(b, c));
+    _mm_add_ps, _mm_sub_ps, _mm_mul_ps, _mm_div_ps, _mm_xor_ps, _mm_set1_ps, _mm_sqrt_ps;
+    |a, b, c| _mm_add_ps(a, _mm_mul_ps(b, c)), _mm_sub_ps(a, _mm_mul_ps(b, c));
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 vectors! {
     Doubles256: f64, __m256d, "avx2,fma";
-    sum(a, b): _mm256_add_pd(a, b);
-    difference(a, b): _mm256_sub_pd(a, b);
-    product(a, b): _mm256_mul_pd(a, b);
-    quotient(a, b): _mm256_div_pd(a, b);
-    opposite(a): _mm256_xor_pd(a, _mm256_set1_pd(-0.0));
-    square_root(a): _mm256_sqrt_pd(a);
-    plus_product(a, b, c): _mm256_fmadd_pd(b, c, a);
-    minus_product(a, b, c): _mm256_fnmadd_pd(b, c, a);
+    _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_xor_pd, _mm256_set1_pd, _mm256_sqrt_pd;
+    |a, b, c| _mm256_fmadd_pd(b, c, a), _mm256_fnmadd_pd(b, c, a);
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 vectors! {
     Singles256: f32, __m256, "avx2,fma";
-    sum(a, b): _mm256_add_ps(a, b);
-    difference(a, b): _mm256_sub_ps(a, b);
-    product(a, b): _mm256_mul_ps(a, b);
-    quotient(a, b): _mm256_div_ps(a, b);
-    opposite(a): _mm256_xor_ps(a, _mm256_set1_ps(-0.0));
-    square_root(a): _mm256_sqrt_ps(a);
-    plus_product(a, b, c): _mm256_fmadd_ps(b, c, a);
-    minus_product(a, b, c): _mm256_fnmadd_ps(b, c, a);
+    _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps, _mm256_xor_ps, _mm256_set1_ps, _mm256_sqrt_ps;
+    |a, b, c| _mm256_fmadd_ps(b, c, a), _mm256_fnmadd_ps(b, c, a);
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 vectors! {
     Doubles512: f64, __m512d, "avx512f,avx512dq,avx512vl,avx2,fma";
-    sum(a, b): _mm512_add_pd(a, b);
-    difference(a, b): _mm512_sub_pd(a, b);
-    product(a, b): _mm512_mul_pd(a, b);
-    quotient(a, b): _mm512_div_pd(a, b);
-    opposite(a): _mm512_xor_pd(a, _mm512_set1_pd(-0.0));
-    square_root(a): _mm512_sqrt_pd(a);
-    plus_product(a, b, c): _mm512_fmadd_pd(b, c, a);
-    minus_product(a, b, c): _mm512_fnmadd_pd(b, c, a);
+    _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_xor_pd, _mm512_set1_pd, _mm512_sqrt_pd;
+    |a, b, c| _mm512_fmadd_pd(b, c, a), _mm512_fnmadd_pd(b, c, a);
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 vectors! {
     Singles512: f32, __m512, "avx512f,avx512dq,avx512vl,avx2,fma";
-    sum(a, b): _mm512_add_ps(a, b);
-    difference(a, b): _mm512_sub_ps(a, b);
-    product(a, b): _mm512_mul_ps(a, b);
-    quotient(a, b): _mm512_div_ps(a, b);
-    opposite(a): _mm512_xor_ps(a, _mm512_set1_ps(-0.0));
-    square_root(a): _mm512_sqrt_ps(a);
-    plus_product(a, b, c): _mm512_fmadd_ps(b, c, a);
-    minus_product(a, b, c): _mm512_fnmadd_ps(b, c, a);
+    _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps, _mm512_xor_ps, _mm512_set1_ps, _mm512_sqrt_ps;
+    |a, b, c| _mm512_fmadd_ps(b, c, a), _mm512_fnmadd_ps(b, c, a);
 }
 
 /// The operations of a plain number, by the vectors of 128, 256 and 512 bits, or in a loop.
