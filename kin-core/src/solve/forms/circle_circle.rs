@@ -82,14 +82,18 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let d2 = c.norm_squared();
     let twice_p = d2 + a2 - b2;
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
-    let sizes = || {
-        let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
-        sum_of_sizes(&terms)
-    };
+    // Without the attribute, lanes would call the closure, which is compiled for the narrowest vectors.
+    let least_four_q2 = least(
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        || {
+            let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
+            sum_of_sizes(&terms)
+        },
+    );
     let reach = ReachOfSquares {
         squares: [a2, b2],
         four_q2,
-        least_four_q2: least(sizes),
+        least_four_q2,
         d2,
         least_d2: least(|| a2 + b2),
     };
