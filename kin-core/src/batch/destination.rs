@@ -4,42 +4,99 @@ use core::cell::Cell;
 
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Slot, Target, Visitor};
-use crate::batch::lanes::{Element, Lanes, for_each_lane};
+use super::view::{View, look_at_entries};
+use crate::batch::lanes::{Element, Lanes};
 use crate::mechanism::{Mechanism, Pose};
-use crate::number::Row;
+use crate::number::{Number, Row};
 use num_traits::Float;
 
 /// The column of one number of each pose, empty if the number is not wanted. It consists of cells because rows are
 /// copied.
 pub(super) type Entries<'t, E> = &'t [Cell<E>];
 
-type InputColumns<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
-type UnknownColumns<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
-type OutputColumns<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
+type InputColumns<M, C> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<C>>;
+type UnknownColumns<M, C> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<C>>;
+type OutputColumns<M, C> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<C>>;
 
 /// The column of one number of each pose of a mechanism.
 type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
-/// The columns of all numbers.
-pub(super) struct Destination<'t, M: Mechanism> {
-    inputs: InputColumns<M, EntriesOf<'t, M>>,
-    unknowns: UnknownColumns<M, EntriesOf<'t, M>>,
+/// The column of one number of each pose of a mechanism, as lanes store it.
+type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>;
+
+/// The columns of all numbers: a `C` for each.
+pub(super) struct Destination<M: Mechanism, C: Copy> {
+    inputs: InputColumns<M, C>,
+    unknowns: UnknownColumns<M, C>,
     /// The columns of the sines of unknowns that are directions.
-    sines: M::Unknowns<EntriesOf<'t, M>>,
-    outputs: OutputColumns<M, EntriesOf<'t, M>>,
+    sines: M::Unknowns<C>,
+    outputs: OutputColumns<M, C>,
 }
 
-impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
-    /// The destination of a pose of which nothing is wanted.
-    pub(super) fn nowhere() -> Self {
-        let nowhere: EntriesOf<'t, M> = &[];
-        let motion = M::Motion::splat(nowhere);
+impl<M: Mechanism<Scalar: Element>, C: Copy> Destination<M, C> {
+    fn splat(column: C) -> Self {
+        let motion = M::Motion::splat(column);
         Self {
             inputs: Row::splat(motion),
             unknowns: Row::splat(motion),
-            sines: Row::splat(nowhere),
+            sines: Row::splat(column),
             outputs: Row::splat(motion),
         }
+    }
+
+    /// Stores the motions of the inputs, starting at a given pose.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store_inputs<V: Stored<C>, R: Row<V>>(&self, start: usize, inputs: &[R]) {
+        store_all(start, inputs, self.inputs.as_ref());
+    }
+
+    /// Stores the motions that have been found, starting at a given pose. Returns their sum: it is finite if and only
+    /// if all numbers are, unless the sum itself overflows.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store<V: Stored<C>, R: Row<V>>(
+        &self,
+        start: usize,
+        unknowns: &[R],
+        sines: &[Option<V>],
+        outputs: &[R],
+    ) -> V {
+        let mut sum = store_all(start, unknowns, self.unknowns.as_ref());
+        for (sine, column) in sines.iter().zip(self.sines.as_ref()) {
+            if let Some(sine) = sine {
+                sum = sum + *sine;
+                sine.store(*column, start);
+            }
+        }
+        sum + store_all(start, outputs, self.outputs.as_ref())
+    }
+}
+
+impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
+    /// The destination of a pose of which nothing is wanted.
+    pub(super) fn nowhere() -> Self {
+        Self::splat(&[])
+    }
+
+    /// The same in the form in which lanes store numbers. Those that are not wanted go to a spare chunk.
+    pub(super) fn in_chunks<'v, const W: usize>(
+        &self,
+        spare: &'v [Cell<M::Scalar>; W],
+    ) -> Destination<M, ViewOf<'v, M, W>>
+    where
+        't: 'v,
+    {
+        let mut chunks = Destination::<M, ViewOf<'v, M, W>>::splat(View::same(spare));
+        for (views, columns) in chunks.inputs.as_mut().iter_mut().zip(self.inputs.as_ref()) {
+            look_at_entries(views.as_mut(), columns.as_ref(), spare);
+        }
+        for (views, columns) in chunks.unknowns.as_mut().iter_mut().zip(self.unknowns.as_ref()) {
+            look_at_entries(views.as_mut(), columns.as_ref(), spare);
+        }
+        look_at_entries(chunks.sines.as_mut(), self.sines.as_ref(), spare);
+        for (views, columns) in chunks.outputs.as_mut().iter_mut().zip(self.outputs.as_ref()) {
+            look_at_entries(views.as_mut(), columns.as_ref(), spare);
+        }
+        chunks
     }
 
     /// The entries of a slot, which are empty if its number is not wanted.
@@ -82,46 +139,6 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
         })
     }
 
-    /// Stores the motions of the inputs, starting at a given pose.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store_inputs<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R]) {
-        store_all(start, inputs, self.inputs.as_ref());
-    }
-
-    /// Stores the motions that have been found, starting at a given pose.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store<V: Stored<Element = M::Scalar>, R: Row<V>>(
-        &self,
-        start: usize,
-        unknowns: &[R],
-        sines: &[Option<V>],
-        outputs: &[R],
-    ) {
-        store_all(start, unknowns, self.unknowns.as_ref());
-        for (sine, entries) in sines.iter().zip(self.sines.as_ref()) {
-            if let Some(sine) = sine {
-                sine.store(entries, start);
-            }
-        }
-        store_all(start, outputs, self.outputs.as_ref());
-    }
-
-    /// Stores NaN in the place of the motions that have been found, starting at a given pose: where `gone` is NaN. It
-    /// is a negative zero for the others.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, M::Scalar>) {
-        for columns in self.unknowns.as_ref() {
-            for entries in columns.as_ref() {
-                clear(gone, entries, start);
-            }
-        }
-        for columns in self.outputs.as_ref() {
-            for entries in columns.as_ref() {
-                clear(gone, entries, start);
-            }
-        }
-    }
-
     /// Whether the motion of an input is wanted.
     pub(super) fn has_inputs(&self) -> bool {
         let mut columns = self.inputs.as_ref().iter().flat_map(AsRef::as_ref);
@@ -143,65 +160,60 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
     }
 }
 
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn store_all<'t, V: Stored, R: Row<V>>(start: usize, motions: &[R], columns: &[impl Row<Entries<'t, V::Element>>]) {
-    for (motion, columns) in motions.iter().zip(columns) {
-        for order in 0..R::LENGTH {
-            motion[order].store(columns[order], start);
+impl<M: Mechanism<Scalar: Element>, const W: usize> Destination<M, ViewOf<'_, M, W>> {
+    /// Stores NaN in the place of the motions that have been found, starting at a given pose: where `gone` is NaN. It
+    /// is a negative zero for the others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn clear<const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, M::Scalar>) {
+        for columns in self.unknowns.as_ref() {
+            for view in columns.as_ref() {
+                view.clear(start, gone);
+            }
+        }
+        for columns in self.outputs.as_ref() {
+            for view in columns.as_ref() {
+                view.clear(start, gone);
+            }
         }
     }
 }
 
-/// Stores NaN, starting at a given pose: where `gone` is NaN. It is a negative zero for the others, whose addition
-/// changes nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn clear<const W: usize, const BITS: usize, E: Element>(
-    gone: Lanes<W, BITS, E>,
-    entries: Entries<'_, E>,
-    start: usize,
-) {
-    if let Some(group) = entries.get(start..start + W) {
-        let numbers = Lanes::<W, BITS, E>::from_fn(|lane| group[lane].get());
-        // A selection would become a masked store, which is slow on some processors.
-        (gone + numbers).store(entries, start);
+fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], columns: &[impl Row<C>]) -> V {
+    // The compiler knows that adding a negative zero changes nothing.
+    let mut sum = V::constant(-0.0);
+    for (motion, columns) in motions.iter().zip(columns) {
+        for order in 0..R::LENGTH {
+            sum = sum + motion[order];
+            motion[order].store(columns[order], start);
+        }
     }
+    sum
 }
 
-/// The stored form of a number: one pose or several.
-pub(super) trait Stored: Copy {
-    /// The stored numbers.
-    type Element: Element;
-
+/// A number of one pose or of several, which is stored in a column of the form `C`.
+pub(super) trait Stored<C>: Number {
     /// Stores the number, starting at a given pose, unless it is not wanted.
-    fn store(self, entries: Entries<'_, Self::Element>, start: usize);
+    fn store(self, column: C, start: usize);
 }
 
-impl<E: Element> Stored for E {
-    type Element = E;
-
-    fn store(self, entries: Entries<'_, E>, start: usize) {
-        if let Some(entry) = entries.get(start) {
+impl<E: Element> Stored<Entries<'_, E>> for E {
+    fn store(self, column: Entries<'_, E>, start: usize) {
+        if let Some(entry) = column.get(start) {
             entry.set(self);
         }
     }
 }
 
-impl<const W: usize, const BITS: usize, E: Element> Stored for Lanes<W, BITS, E> {
-    type Element = E;
-
+impl<const W: usize, const BITS: usize, E: Element> Stored<View<'_, Cell<E>, W>> for Lanes<W, BITS, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store(self, entries: Entries<'_, E>, start: usize) {
-        // A wanted column is always long enough, but the compiler does not know it.
-        if let Some(entries) = entries.get(start..start + W) {
-            for_each_lane!(lane in 0..W {
-                entries[lane].set(self.0[lane]);
-            });
-        }
+    fn store(self, column: View<'_, Cell<E>, W>, start: usize) {
+        column.store(start, self);
     }
 }
 
 struct ColumnSearch<'s, 't, M: Mechanism> {
-    found: &'s mut Destination<'t, M>,
+    found: &'s mut Destination<M, EntriesOf<'t, M>>,
     count: usize,
     /// The slot of the first column with a wrong length, and that length.
     mismatch: Option<(Slot, usize)>,

@@ -65,7 +65,7 @@ where
     C: Target<M::Scalar>,
 {
     batch.check_lengths(outcomes.len())?;
-    Destination::<M>::nowhere().find(poses, outcomes.len())?;
+    Destination::<M, _>::nowhere().find(poses, outcomes.len())?;
     let mut targets = Targets(Vec::new());
     poses.each(&mut targets);
     let (mut rest, mut pieces) = (outcomes, Vec::new());

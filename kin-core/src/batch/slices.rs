@@ -9,14 +9,14 @@ use core::fmt;
 use core::ops::Range;
 
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::{Entries, Stored, clear};
+use super::destination::{Entries, Stored};
 use super::dispatch::{Avx512, Kernel, Vectors};
 use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::transmission::TransmissionEntries;
+use super::transmission::TransmissionColumns;
 use super::untyped::{ColumnChoice, GivenColumns, WantedColumns};
-use super::view::repeat;
+use super::view::{View, repeat};
 use super::{Column, Fold, FoldError, FoldedNumber, InputGrid, Poses, Slot};
 use crate::any::{Described, PositionChoice};
 use crate::failure::SolveError;
@@ -274,7 +274,7 @@ pub fn solve_slices<S: SliceSolver>(
             near: given.near,
             assembly: given.assembly,
             entries: &entries,
-            angles: &TransmissionEntries::nowhere([].as_slice()),
+            angles: &TransmissionColumns::nowhere([].as_slice()),
             orders: solver.description().order + 1,
         },
         outcomes,
@@ -313,7 +313,7 @@ pub fn fold_slices<S: SliceSolver>(
         inputs[grid.input * orders] = Column::Each(varied);
         let mut stored = Vec::with_capacity(folds.len());
         let of_dyads: Vec<Entries<'_, f64>> = vec![&[]; solver.dyad_count()];
-        let mut angles = TransmissionEntries::nowhere(of_dyads);
+        let mut angles = TransmissionColumns::nowhere(of_dyads);
         for (number, entries) in entries(folds, outcomes.len()) {
             match number {
                 FoldedNumber::At(slot) => stored.push((slot, entries)),
@@ -329,7 +329,7 @@ pub fn fold_slices<S: SliceSolver>(
                 near: &[],
                 assembly: given.assembly,
                 entries: &stored,
-                angles: &TransmissionEntries {
+                angles: &TransmissionColumns {
                     of_dyads: angles.of_dyads.as_slice(),
                     smallest: angles.smallest,
                 },
@@ -390,7 +390,7 @@ struct PoseByPose<'r, S> {
     /// The assembly, unless values nearby choose the position.
     assembly: Option<usize>,
     entries: &'r [(Slot, Entries<'r, f64>)],
-    angles: &'r TransmissionEntries<'r, f64, &'r [Entries<'r, f64>]>,
+    angles: &'r TransmissionColumns<Entries<'r, f64>, &'r [Entries<'r, f64>]>,
     orders: usize,
 }
 
@@ -426,34 +426,23 @@ impl<S: SliceSolver> PoseByPose<'_, S> {
             found.sines.fill(Some(f64::NAN));
             found.outputs.fill(f64::NAN);
         }
-        self.store(index, &inputs, &found);
+        self.store(self.entries, index, &inputs, &found);
         result
     }
 
-    /// Stores the numbers that are wanted, starting at a pose.
+    /// Stores the numbers that are wanted in their columns, starting at a pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store<V: Stored<Element = f64>>(&self, start: usize, inputs: &[V], found: &Numbers<V>) {
-        for (slot, entries) in self.entries {
+    fn store<C: Copy, V: Stored<C>>(&self, columns: &[(Slot, C)], start: usize, inputs: &[V], found: &Numbers<V>) {
+        for (slot, column) in columns {
             match *slot {
-                Slot::Input(index, order) => inputs[index * self.orders + order].store(entries, start),
-                Slot::Unknown(index, order) => found.unknowns[index * self.orders + order].store(entries, start),
+                Slot::Input(index, order) => inputs[index * self.orders + order].store(*column, start),
+                Slot::Unknown(index, order) => found.unknowns[index * self.orders + order].store(*column, start),
                 Slot::Sine(index) => {
                     if let Some(sine) = found.sines[index] {
-                        sine.store(entries, start);
+                        sine.store(*column, start);
                     }
                 }
-                Slot::Output(index, order) => found.outputs[index * self.orders + order].store(entries, start),
-            }
-        }
-    }
-
-    /// Stores NaN in the place of the motions that have been found, starting at a pose: where `gone` is NaN. It is a
-    /// negative zero for the others.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS>) {
-        for (slot, entries) in self.entries {
-            if matches!(slot, Slot::Unknown(..) | Slot::Output(..)) {
-                clear(gone, entries, start);
+                Slot::Output(index, order) => found.outputs[index * self.orders + order].store(*column, start),
             }
         }
     }
@@ -504,7 +493,7 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
     }
 }
 
-impl<S: SliceSolver> SliceRun<'_, S> {
+impl<'r, S: SliceSolver> SliceRun<'r, S> {
     /// Solves `CHUNKS` chunks of `W` poses side by side: an operation is looked up once for all of them.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run_in_chunks<const W: usize, const BITS: usize, const CHUNKS: usize>(self) -> Summary {
@@ -550,6 +539,17 @@ impl<S: SliceSolver> SliceRun<'_, S> {
             found.prepare(alone.solver, alone.angles.are_wanted());
         }
         *angles = alone.no_angles();
+        let spare = core::array::from_fn(|_| Cell::new(0.0));
+        let view = |entries: &Entries<'r, f64>| View::each(entries, &spare);
+        let columns: Vec<_> = alone
+            .entries
+            .iter()
+            .map(|(slot, entries)| (*slot, view(entries)))
+            .collect();
+        let angle_columns = TransmissionColumns {
+            of_dyads: alone.angles.of_dyads.iter().map(view).collect::<Vec<_>>(),
+            smallest: view(&alone.angles.smallest),
+        };
         let mut next = 0;
         // The poses before this one are solved chunk by chunk, because some of them fail.
         let mut one_by_one = 0;
@@ -594,14 +594,14 @@ impl<S: SliceSolver> SliceRun<'_, S> {
                     alone
                         .solver
                         .angles_of_dyads(memory, parameters, motions, &found.positions, angles);
-                    sum = sum + alone.angles.store(start + chunk * W, angles);
+                    sum = sum + angle_columns.store(start + chunk * W, angles);
                 }
                 is_finite = sum.is_finite_throughout();
             }
             if is_finite {
                 for (chunk, found) in found[..chunks].iter().enumerate() {
                     let inputs = &inputs[chunk * input_count..(chunk + 1) * input_count];
-                    alone.store(start + chunk * W, inputs, found);
+                    alone.store(&columns, start + chunk * W, inputs, found);
                 }
                 next = start + chunks * W;
                 continue;
@@ -614,9 +614,13 @@ impl<S: SliceSolver> SliceRun<'_, S> {
             if !is_found {
                 found.sines.fill(None);
             }
-            alone.store(start, inputs, found);
-            alone.clear(start, sum.gaps());
-            alone.angles.clear(start, sum.gaps());
+            alone.store(&columns, start, inputs, found);
+            for (slot, view) in &columns {
+                if matches!(slot, Slot::Unknown(..) | Slot::Output(..)) {
+                    view.clear(start, sum.gaps());
+                }
+            }
+            angle_columns.clear(start, sum.gaps());
             let mut squares = Lanes::constant(0.0);
             for entry in parameters {
                 squares = squares.plus_product(*entry, *entry);

@@ -1,8 +1,9 @@
 //! The solution of a batch, chunk by chunk.
 
+use core::cell::Cell;
 use core::ops::Range;
 
-use num_traits::Float;
+use num_traits::{Float, Zero};
 
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
@@ -10,8 +11,8 @@ use super::destination::{Destination, Entries};
 use super::dispatch::{Avx512, Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
-use super::transmission::{TransmissionEntries, angles_at};
-use super::view::{View, gather, gather_all, look, repeat};
+use super::transmission::{TransmissionColumns, angles_at};
+use super::view::{View, gather, gather_all, look, look_at_entries, repeat};
 use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
 use crate::load::{Balance, LoadError, Loaded as _, LoadsOf};
@@ -24,9 +25,11 @@ type MotionsInLanes<M, const W: usize, const BITS: usize> =
         <M as Mechanism>::Motion<Lanes<W, BITS, <M as Mechanism>::Scalar>>,
     >;
 
+/// The column of one number of each pose of a declared mechanism.
+type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
+
 /// The entries of the transmission angles of a declared mechanism.
-pub(super) type AngleEntries<'t, M> =
-    TransmissionEntries<'t, <M as Mechanism>::Scalar, <M as Mechanism>::Dyads<Entries<'t, <M as Mechanism>::Scalar>>>;
+pub(super) type AngleEntries<'t, M> = TransmissionColumns<EntriesOf<'t, M>, <M as Mechanism>::Dyads<EntriesOf<'t, M>>>;
 
 /// Many poses of one mechanism, or of many that differ in their dimensions: columns in, columns out.
 ///
@@ -230,14 +233,14 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
         let nowhere: Entries<'_, M::Scalar> = &[];
-        let angles = TransmissionEntries::nowhere(Row::splat(nowhere));
+        let angles = TransmissionColumns::nowhere(Row::splat(nowhere));
         Ok(self.store(&destination, &angles, outcomes))
     }
 
     /// Solves poses and stores their numbers and their transmission angles.
     pub(super) fn store<'d>(
         &self,
-        destination: &Destination<'d, M>,
+        destination: &Destination<M, EntriesOf<'d, M>>,
         angles: &AngleEntries<'d, M>,
         outcomes: &mut [Outcome],
     ) -> Summary {
@@ -306,7 +309,7 @@ struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
 struct PoseByPose<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     batch: &'p Batch<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
-    destination: &'p Destination<'d, M>,
+    destination: &'p Destination<M, EntriesOf<'d, M>>,
     angles: &'p AngleEntries<'d, M>,
 }
 
@@ -372,20 +375,28 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         }
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, BITS, M::Scalar>::constant(0.0);
+        let spare = core::array::from_fn(|_| Cell::new(M::Scalar::zero()));
+        let destination = alone.destination.in_chunks(&spare);
+        let mut of_dyads = M::Dyads::splat(View::same(&spare));
+        look_at_entries(of_dyads.as_mut(), alone.angles.of_dyads.as_ref(), &spare);
+        let angles = TransmissionColumns {
+            of_dyads,
+            smallest: View::each(alone.angles.smallest, &spare),
+        };
         let (columns, mut same) = (batch.parameters.as_ref(), M::Parameters::splat(zero));
         repeat(same.as_mut(), columns);
-        let mut parameters = M::Parameters::splat(View::default());
+        let mut parameters = M::Parameters::splat(View::same(&zero.0));
         look(parameters.as_mut(), columns, same.as_ref());
         let (columns, mut same) = (batch.inputs.as_ref(), M::Inputs::splat(M::Motion::splat(zero)));
         for (same, columns) in same.as_mut().iter_mut().zip(columns) {
             repeat(same.as_mut(), columns.as_ref());
         }
-        let mut inputs = M::Inputs::splat(M::Motion::splat(View::default()));
+        let mut inputs = M::Inputs::splat(M::Motion::splat(View::same(&zero.0)));
         for ((views, columns), same) in inputs.as_mut().iter_mut().zip(columns).zip(same.as_ref()) {
             look(views.as_mut(), columns.as_ref(), same.as_ref());
         }
         let (columns, mut same) = (alone.near.as_ref(), M::Unknowns::splat(zero));
-        let mut near = M::Unknowns::splat(View::default());
+        let mut near = M::Unknowns::splat(View::same(&zero.0));
         if G::IS_NEAR {
             repeat(same.as_mut(), columns);
             look(near.as_mut(), columns, same.as_ref());
@@ -405,7 +416,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             // before they are tested.
             if has_inputs {
                 gather_all(&mut motions, inputs.as_ref(), start);
-                alone.destination.store_inputs(start, motions.as_ref());
+                destination.store_inputs(start, motions.as_ref());
             }
             gather(&mut dimensions, parameters.as_ref(), start);
             if G::IS_NEAR {
@@ -418,44 +429,20 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
-                // negative zero: the compiler knows that adding it changes nothing.
-                sum = Lanes::constant(-0.0);
-                for motion in unknowns.as_ref() {
-                    for entry in motion.as_ref() {
-                        sum = sum + *entry;
-                    }
-                }
-                for sine in sines.as_ref() {
-                    sum = match sine {
-                        Some(sine) => sum + *sine,
-                        None => sum,
-                    };
-                }
-                for motion in outputs.as_ref() {
-                    for entry in motion.as_ref() {
-                        sum = sum + *entry;
-                    }
-                }
-                alone
-                    .destination
-                    .store(start, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+                sum = destination.store(start, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
                 if has_angles {
                     gather(&mut dimensions, parameters.as_ref(), start);
                     gather_all(&mut motions, inputs.as_ref(), start);
                     let mechanism = M::With::from_parameters(dimensions);
-                    sum = sum
-                        + alone
-                            .angles
-                            .store(start, angles_at(&mechanism, &motions, &pose).as_ref());
+                    sum = sum + angles.store(start, angles_at(&mechanism, &motions, &pose).as_ref());
                 }
                 if sum.is_finite_throughout() {
                     next = start + W;
                     continue;
                 }
             }
-            alone.destination.clear(start, sum.gaps());
-            alone.angles.clear(start, sum.gaps());
+            destination.clear(start, sum.gaps());
+            angles.clear(start, sum.gaps());
             gather(&mut dimensions, parameters.as_ref(), start);
             gather_all(&mut motions, inputs.as_ref(), start);
             let mut squares = Lanes::constant(0.0);

@@ -2,22 +2,44 @@
 
 use num_traits::Float;
 
-use super::destination::{Entries, Stored, clear};
+use core::cell::Cell;
+
+use super::destination::{Entries, Stored};
 use super::lanes::{Element, Lanes};
+use super::view::View;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 
-/// The entries of the transmission angles, each folded to at most a right angle. `R` is a row with an entry list for
-/// each dyad.
-pub(super) struct TransmissionEntries<'t, E, R> {
+/// The columns of the transmission angles, each folded to at most a right angle. `R` is a row with a column for each
+/// dyad.
+pub(super) struct TransmissionColumns<C, R> {
     pub(super) of_dyads: R,
-    /// The entries of the smallest of all.
-    pub(super) smallest: Entries<'t, E>,
+    /// The column of the smallest of all.
+    pub(super) smallest: C,
 }
 
-impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
-    /// The entries of a batch in which no transmission angle is wanted. Those of the dyads are empty.
+impl<C: Copy, R: AsRef<[C]>> TransmissionColumns<C, R> {
+    /// Stores the angles of one pose or several, starting at a given pose. Returns a number that is finite if all of
+    /// them are.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store<T: Angles + Stored<C>>(&self, start: usize, angles: &[TransmissionAngle<T>]) -> T {
+        // Adding negative zero changes nothing, which the compiler knows.
+        let mut sum = T::constant(-0.0);
+        let mut smallest = T::constant(core::f64::consts::FRAC_PI_2);
+        for (transmission, column) in angles.iter().zip(self.of_dyads.as_ref()) {
+            let folded = transmission.angle.folded();
+            sum = sum + folded;
+            smallest = folded.or_smaller(smallest);
+            folded.store(*column, start);
+        }
+        smallest.store(self.smallest, start);
+        sum
+    }
+}
+
+impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionColumns<Entries<'t, E>, R> {
+    /// The columns of a batch in which no transmission angle is wanted. Those of the dyads are empty.
     pub(super) fn nowhere(of_dyads: R) -> Self {
         Self {
             of_dyads,
@@ -29,39 +51,24 @@ impl<'t, E: Element, R: AsRef<[Entries<'t, E>]>> TransmissionEntries<'t, E, R> {
         !self.smallest.is_empty() || self.of_dyads.as_ref().iter().any(|entries| !entries.is_empty())
     }
 
-    /// Stores the angles of one pose or several, starting at a given pose. Returns a number that is finite if all of
-    /// them are.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store<T: Angles<Element = E>>(&self, start: usize, angles: &[TransmissionAngle<T>]) -> T {
-        // Adding negative zero changes nothing, which the compiler knows.
-        let mut sum = T::constant(-0.0);
-        let mut smallest = T::constant(core::f64::consts::FRAC_PI_2);
-        for (transmission, entries) in angles.iter().zip(self.of_dyads.as_ref()) {
-            let folded = transmission.angle.folded();
-            sum = sum + folded;
-            smallest = folded.or_smaller(smallest);
-            folded.store(entries, start);
-        }
-        smallest.store(self.smallest, start);
-        sum
-    }
-
     /// Stores NaN for a pose that fails.
     pub(super) fn leave_out(&self, index: usize) {
         for entries in self.of_dyads.as_ref() {
-            E::nan().store(entries, index);
+            E::nan().store(*entries, index);
         }
         E::nan().store(self.smallest, index);
     }
+}
 
+impl<'t, E: Element, const W: usize, R: AsRef<[View<'t, Cell<E>, W>]>> TransmissionColumns<View<'t, Cell<E>, W>, R> {
     /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is a negative zero for the
     /// others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn clear<const W: usize, const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, E>) {
-        for entries in self.of_dyads.as_ref() {
-            clear(gone, entries, start);
+    pub(super) fn clear<const BITS: usize>(&self, start: usize, gone: Lanes<W, BITS, E>) {
+        for view in self.of_dyads.as_ref() {
+            view.clear(start, gone);
         }
-        clear(gone, self.smallest, start);
+        self.smallest.clear(start, gone);
     }
 }
 
@@ -81,7 +88,7 @@ pub(super) fn angles_at<M: Mechanism>(
 }
 
 /// Angles of one pose or several.
-pub(super) trait Angles: Number + Stored {
+pub(super) trait Angles: Number {
     /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes
     /// its sign from the first lane, so it may be negative in others.
     fn folded(self) -> Self;

@@ -13,7 +13,7 @@ use crate::batch::dispatch::{MOST_LANES, Vectors};
 use crate::batch::outcome::{Outcome, Summary};
 use crate::batch::sweep::{Batch, Guide};
 use crate::batch::target::Slot;
-use crate::batch::transmission::TransmissionEntries;
+use crate::batch::transmission::TransmissionColumns;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::Row;
 
@@ -78,7 +78,7 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Batch<'a, M, G> {
             batch.inputs[grid.input][0] = Column::Each(piece.varied);
         }
         let mut destination = Destination::nowhere();
-        let mut angles = TransmissionEntries::nowhere(M::Dyads::<Entries<'_, f64>>::splat(&[]));
+        let mut angles = TransmissionColumns::nowhere(M::Dyads::<Entries<'_, f64>>::splat(&[]));
         for (number, entries) in entries(piece.folds, piece.outcomes.len()) {
             match number {
                 FoldedNumber::At(slot) => *destination.entries(slot) = entries,
