@@ -19,8 +19,8 @@ pub use crate::editor;
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
-    BlockForm, First, Lent, Mechanism, Memory, Partials, Pose, PoseOf, PositionSearch, Second, Sensitive, Shown,
-    culprit, failed, fmt_pose, guessed, length,
+    BlockForm, First, Lent, Mechanism, Memory, Partials, Pose, PoseOf, PositionSearch, Preparation, Second, Sensitive,
+    Shown, culprit, failed, fmt_pose, guessed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};

@@ -172,6 +172,29 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
         (table, outcomes, summary.expect("all columns are of one length"))
     }
 
+    /// Solves them as poses of the first mechanism.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[must_use]
+    pub fn solve_as_one_mechanism(
+        &self,
+        assembly: M::Assembly,
+        vectors: Vectors,
+    ) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
+        let numbers = self.numbers();
+        let (mut table, mut outcomes) = self.places();
+        let parameters = self.mechanisms[0].parameters();
+        let summary = Batch::<M, _>::new(
+            Row::from_fn(|place| Column::Same(parameters[place])),
+            numbers.inputs::<M>(),
+            assembly,
+        )
+        .vectors(vectors)
+        .solve(&mut table, &mut outcomes);
+        (table, outcomes, summary.expect("all columns are of one length"))
+    }
+
     /// The same on all cores.
     ///
     /// # Panics

@@ -47,6 +47,7 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Unknowns<V: Copy> = M::Unknowns<V>;
     type Results<V: Copy> = M::Results<V>;
     type Residuals<V: Copy> = M::Residuals<V>;
+    type Prepared = M::Prepared;
     type Blocks<V: Copy> = M::Blocks<V>;
     type Dyads<V: Copy> = M::Dyads<V>;
     type SkeletonPoints = M::SkeletonPoints;
@@ -80,12 +81,17 @@ impl<M: Mechanism> Mechanism for Counting<M> {
         Counting(self.0.convert(convert))
     }
 
-    fn solve(
+    fn prepare(&self) -> Self::Prepared {
+        self.0.prepare()
+    }
+
+    fn solve_prepared(
         &self,
+        prepared: &Self::Prepared,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError> {
-        self.0.solve(inputs, assembly)
+        self.0.solve_prepared(prepared, inputs, assembly)
     }
 
     fn solve_near(

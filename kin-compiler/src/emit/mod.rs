@@ -21,7 +21,7 @@ pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
     assembly, batch, description, every, formulas, interface, internal, outputs, page, picture, poses, position,
-    readable, residuals, sensitivities, solve, stored, test, track, transmission, values,
+    prepared::Prepared, readable, residuals, sensitivities, solve, stored, test, track, transmission, values,
 };
 use sheet::SheetText;
 
@@ -58,6 +58,8 @@ pub(crate) fn tokens(
         SheetText::new(declaration, model, inside.runtime),
     );
     let picture = picture::tokens(&text, &sheets, &values::argument(inside));
+    let prepared = Prepared::of(inside);
+    let prepared = prepared.as_ref();
     let constants = [
         assembly::list(inside),
         description::tokens(inside),
@@ -68,14 +70,15 @@ pub(crate) fn tokens(
     let methods = [
         solve::tokens(inside),
         residuals::tokens(&text, &sheets.closure),
-        position::tokens(inside),
+        position::tokens(inside, prepared),
         assembly::tokens(inside),
         track::tokens(inside),
         sensitivities::method(inside),
         transmission::tokens(inside),
         picture.method,
     ];
-    let mut internals = vec![position::internal(inside)];
+    let mut internals = vec![position::internal(inside, prepared)];
+    internals.extend(prepared.map(Prepared::internal));
     internals.extend(solve::internal(inside));
     internals.extend(assembly::internal(inside));
     let of_f64: Vec<_> = every::internal(inside).into_iter().collect();
@@ -83,7 +86,12 @@ pub(crate) fn tokens(
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
-        interface::tokens(inside, &picture.items, &outputs::tokens(&text, &sheets.outputs)),
+        interface::tokens(
+            inside,
+            prepared,
+            &picture.items,
+            &outputs::tokens(&text, &sheets.outputs),
+        ),
         sensitivities::tokens(inside),
         batch::tokens(inside),
         stored::tokens(inside),
@@ -92,7 +100,10 @@ pub(crate) fn tokens(
         every::absence(inside),
     ];
     let name = &model.name;
+    let prepared = prepared.map(Prepared::structure);
     let implementations = quote! {
+        #prepared
+
         impl #name<::core::primitive::f64> {
             #(#constants)*
         }

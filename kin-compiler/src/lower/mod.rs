@@ -5,6 +5,7 @@
 
 mod doubt;
 mod mechanism;
+mod prepared;
 mod statement;
 mod steps;
 mod value;
@@ -13,6 +14,7 @@ mod whole;
 
 pub(crate) use mechanism::most_positions;
 pub use mechanism::{Closure, ClosureTerm, EveryPosition, Form, Mechanism, Routine, UnitVector};
+pub(crate) use prepared::{Extent, prepared};
 pub use statement::{Argument, Decisive, Label, Range, Selection, Statement};
 pub(crate) use steps::Lowering;
 pub use value::Value;

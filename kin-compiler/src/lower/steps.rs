@@ -1,6 +1,6 @@
 //! Steps to statements.
 
-use super::{Argument, Label, Range, Selection, Statement, Value, doubt};
+use super::{Argument, Extent, Label, Range, Selection, Statement, Value, doubt};
 use crate::algebra::Symbol;
 use crate::model::{Dimension, Model};
 use crate::program::{Expression, FormArgument, Mode, Solver, Solvers, Stage, Step};
@@ -16,6 +16,7 @@ pub(crate) struct Lowering<'a> {
     pub(crate) solvers: &'a Solvers,
     /// Whether the steps go through all positions, and not to a single one.
     pub(crate) goes_through_all: bool,
+    pub(crate) extent: Extent<'a>,
 }
 
 impl Lowering<'_> {
@@ -33,7 +34,9 @@ impl Lowering<'_> {
         while let Some((first, after)) = rest.split_first() {
             let Step::Open { part, mode } = *first else {
                 outside.push(first);
-                statements.extend(self.step(first, None, &outside));
+                if self.extent.includes(first) {
+                    statements.extend(self.step(first, None, &outside));
+                }
                 rest = after;
                 continue;
             };
@@ -42,7 +45,7 @@ impl Lowering<'_> {
                 .position(|step| matches!(step, Step::Close { .. }))
                 .unwrap_or(after.len());
             let (inside, after) = (&after[..end], &after[(end + 1).min(after.len())..]);
-            if mode == Mode::Ranged {
+            if mode == Mode::Ranged && !matches!(self.extent, Extent::Prepared(_)) {
                 self.candidates(part, inside, after, stage, &mut statements);
             } else {
                 statements.extend(self.sequence(inside, part));
@@ -56,7 +59,8 @@ impl Lowering<'_> {
     fn sequence<'s>(&self, steps: impl IntoIterator<Item = &'s Scheduled>, part: usize) -> Vec<Statement> {
         let steps: Vec<&Scheduled> = steps.into_iter().collect();
         let mut statements = Vec::new();
-        let mut rest = steps.iter().copied().peekable();
+        let wanted = steps.iter().copied().filter(|step| self.extent.includes(step));
+        let mut rest = wanted.peekable();
         while let Some(step) = rest.next() {
             let both = rest.peek().and_then(|next| directions(step, next));
             if both.is_some() {

@@ -1,6 +1,8 @@
 //! From the programs of a mechanism to the mechanism as data.
 
-use super::{Closure, ClosureTerm, EveryPosition, Form, Lowering, Mechanism, Routine, UnitVector, most_positions};
+use super::{
+    Closure, ClosureTerm, EveryPosition, Extent, Form, Lowering, Mechanism, Routine, UnitVector, most_positions,
+};
 use crate::algebra::{Angle, Harmonic, Symbol};
 use crate::describe;
 use crate::model::{Dimension, Model};
@@ -14,6 +16,7 @@ pub(crate) fn mechanism(model: &Model, blocks: &[Block], solvers: &Solvers) -> M
         blocks,
         solvers,
         goes_through_all: false,
+        extent: Extent::All,
     };
     let unknowns = model.unknowns.iter().enumerate();
     let is_angle = |dimension| matches!(dimension, Dimension::Angle | Dimension::Direction);

@@ -112,6 +112,7 @@ pub trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
+        prepared: &T::Prepared,
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         near: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError>;
@@ -155,10 +156,11 @@ impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly>
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
+        prepared: &T::Prepared,
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         _: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError> {
-        mechanism.solve(inputs, self.0)
+        mechanism.solve_prepared(prepared, inputs, self.0)
     }
 
     fn balance(
@@ -191,6 +193,7 @@ impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a,
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
+        _: &T::Prepared,
         inputs: T::Inputs<T::Motion<T::Scalar>>,
         near: T::Unknowns<T::Scalar>,
     ) -> Result<T::Pose, SolveError> {
@@ -323,7 +326,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, 
         let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input][order].at(index)));
         let near = M::Unknowns::from_fn(|unknown| self.near[unknown].at(index));
         let nothing = M::Motion::splat(M::Scalar::nan());
-        let (unknowns, sines, outputs, result) = match self.batch.guide.solve(&mechanism, inputs, near) {
+        let prepared = mechanism.prepare();
+        let (unknowns, sines, outputs, result) = match self.batch.guide.solve(&mechanism, &prepared, inputs, near) {
             Ok(pose) => {
                 if self.angles.are_wanted() {
                     self.angles.store(index, angles_at(&mechanism, &inputs, &pose).as_ref());
@@ -406,6 +410,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         let mut motions: MotionsInLanes<M, W, BITS> = Row::splat(Row::splat(zero));
         let (has_inputs, has_sines) = (alone.destination.has_inputs(), alone.destination.has_sines());
         let has_angles = alone.angles.are_wanted();
+        let are_same = batch.parameters.as_ref().iter().all(|column| column.length().is_none());
+        let (mut prepared, mut is_prepared) = (None, false);
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
@@ -426,7 +432,14 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             let mechanism = M::With::from_parameters(dimensions);
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
-            if let Ok(pose) = batch.guide.solve(&mechanism, motions, guess) {
+            if !is_prepared {
+                prepared = Some(mechanism.prepare());
+                // a verdict about the parameters is left again for each chunk
+                is_prepared = are_same && verdicts::are_none::<M::Scalar>();
+            }
+            if let Some(prepared) = &prepared
+                && let Ok(pose) = batch.guide.solve(&mechanism, prepared, motions, guess)
+            {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 sum = destination.store(start, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());

@@ -15,6 +15,7 @@ mod named;
 mod one_input;
 mod pose_of;
 mod position_search;
+mod prepared;
 mod sensitive;
 mod sensitivities;
 mod shown;
@@ -40,6 +41,7 @@ pub use named::Named;
 pub use one_input::OneInput;
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
+pub use prepared::{Preparation, Prepared};
 pub use sensitive::{Partials, Sensitive};
 pub use sensitivities::PartialMotions;
 #[doc(hidden)]
@@ -117,6 +119,9 @@ pub trait Mechanism: Copy + Debug + 'static {
     type Results<V: Copy>: Row<V>;
     /// A value for each scalar equation.
     type Residuals<V: Copy>: Row<V>;
+    /// What the solvers find from the parameters alone, see [`Prepared`].
+    #[doc(hidden)]
+    type Prepared: Copy + Debug;
     /// A value for each block, in the order of [`DESCRIPTION.blocks`](Description::blocks).
     type Blocks<V: Copy>: Row<V>;
     /// A value for each dyad of two links, or of a link and a slider.
@@ -160,8 +165,27 @@ pub trait Mechanism: Copy + Debug + 'static {
     ///
     /// # Errors
     /// A [`SolveError`] if the mechanism does not close in this assembly, or if a number is not finite.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve(
         &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Pose, SolveError> {
+        self.solve_prepared(&self.prepare(), inputs, assembly)
+    }
+
+    /// What the solvers find from the parameters alone.
+    #[doc(hidden)]
+    fn prepare(&self) -> Self::Prepared;
+
+    /// [`solve`](Self::solve) with what is prepared.
+    ///
+    /// # Errors
+    /// As for [`solve`](Self::solve).
+    #[doc(hidden)]
+    fn solve_prepared(
+        &self,
+        prepared: &Self::Prepared,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError>;

@@ -13,6 +13,7 @@ mod kinds_of_drive;
 mod known_motions;
 mod not_finite;
 mod platforms;
+mod prepared;
 mod scalar_equations;
 mod singular_and_extreme;
 mod space;

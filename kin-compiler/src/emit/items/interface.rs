@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::prepared::Prepared;
 use super::{assembly, closure, every, forms, jacobian, transmission};
 use crate::describe::{self, DescribedQuantity, Description};
 use crate::emit::compiled::{Compiled, local};
@@ -10,7 +11,12 @@ use crate::emit::vector_type;
 use crate::model::Dimension;
 
 /// `impl Mechanism` and `impl Pose`. The items of the picture and the outputs are added to the former.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, outputs: &TokenStream) -> TokenStream {
+pub(in crate::emit) fn tokens(
+    mechanism: &Compiled<'_>,
+    prepared: Option<&Prepared<'_>>,
+    picture: &TokenStream,
+    outputs: &TokenStream,
+) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
@@ -136,6 +142,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             self.__complete(position, #(#inputs_in_order),*)
         }
     };
+    let prepared_name = local("prepared");
+    let given = prepared.map(|_| quote!(#prepared_name,));
+    let (prepared_type, prepare) = prepared.map_or_else(
+        || (quote!(()), TokenStream::new()),
+        |prepared| (prepared.kind(), quote!(self.__prepared())),
+    );
     let (solve, solve_near) = if is_coupled {
         (
             quote!(self.solve(#(#inputs_in_order,)* #value)),
@@ -144,7 +156,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
     } else {
         let value = if value.is_empty() { quote!() } else { quote!(#value,) };
         (
-            complete(quote!(self.__position(#(#inputs_in_order.position(),)* #value ::core::option::Option::None))),
+            complete(quote! {
+                self.__position(#given #(#inputs_in_order.position(),)* #value ::core::option::Option::None)
+            }),
             quote!(self.solve_near(#(#inputs_in_order,)* #near)),
         )
     };
@@ -165,6 +179,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             type Inputs<Element: ::core::marker::Copy> = [Element; #input_count];
             type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
             type Residuals<Element: ::core::marker::Copy> = [Element; #residual_count];
+            type Prepared = #prepared_type;
 
             const DESCRIPTION: #runtime::Description = #description;
             const FORMULAS: #runtime::Formulas = #formulas;
@@ -198,12 +213,19 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, o
             }
 
             #in_lanes
-            fn solve(
+            fn prepare(&self) -> Self::Prepared {
+                #prepare
+            }
+
+            #in_lanes
+            fn solve_prepared(
                 &self,
+                #prepared_name: &Self::Prepared,
                 #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
                 #ignore
+                let _ = #prepared_name;
                 #solve
             }
 

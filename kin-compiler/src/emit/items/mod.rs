@@ -16,6 +16,7 @@ pub(super) mod page;
 pub(super) mod picture;
 pub(super) mod poses;
 pub(super) mod position;
+pub(super) mod prepared;
 mod rates;
 pub(super) mod readable;
 pub(super) mod residuals;

@@ -6,14 +6,16 @@ use quote::quote;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
+use crate::emit::items::prepared::Prepared;
 use crate::emit::text::ProgramText;
 use crate::emit::vector_type;
 use crate::model::{Dimension, FormulaValue};
-use crate::program::UnitPart;
+use crate::program::{Expression, Stage, UnitPart};
 
 /// `position`, `position_near`, and the solver that both call.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, prepared: Option<&Prepared<'_>>) -> TokenStream {
     let runtime = mechanism.runtime;
+    let given_prepared = prepared.map(|_| quote!(&self.__prepared(),));
     let model = mechanism.model;
     let pose = mechanism.pose(0);
     let inputs = mechanism.input_names();
@@ -67,7 +69,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         } else {
             quote!(#converted,)
         };
-        let chosen = quote!(self.__position(#(#inputs,)* #then ::core::option::Option::None));
+        let chosen = quote!(self.__position(#given_prepared #(#inputs,)* #then ::core::option::Option::None));
         (given, chosen)
     };
     let near_value = if is_coupled {
@@ -112,14 +114,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 let #near = #runtime::Guess::values(#near);
                 #guesses
                 #found
-                self.__position(#(#inputs,)* #near_choice #near_value)
+                self.__position(#given_prepared #(#inputs,)* #near_choice #near_value)
             }
 
     }
 }
 
 /// The solver that `position` and `position_near` call.
-pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>, prepared: Option<&Prepared<'_>>) -> Internal {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let pose = mechanism.pose(0);
@@ -136,16 +138,25 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
     let stage = &mechanism.solvers.orders()[0];
     let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
+    let (stage, body) = prepared.map_or_else(
+        || (stage, text.position_steps(stage)),
+        |prepared| (&prepared.further, prepared.body.clone()),
+    );
+    let parameter = prepared.map(|prepared| {
+        let (name, kind) = (mechanism.fresh("prepared"), prepared.kind());
+        quote!(#name: &#kind,)
+    });
+    let prepared = prepared.map(Prepared::readings);
     let readings = text.readings(stage, &given);
-    let body = text.position_steps(stage);
-    let result = result(mechanism);
+    let result = result(mechanism, stage);
     Internal {
         attributes: quote!(#[inline(always)]),
         signature: quote! {
-            fn __position(&self, #(#inputs: T,)* #assembly #near: #near_type)
+            fn __position(&self, #parameter #(#inputs: T,)* #assembly #near: #near_type)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
         },
         body: quote! {
+            #prepared
             #readings
             #body
             ::core::result::Result::Ok(#result)
@@ -173,7 +184,7 @@ fn guesses(mechanism: &Compiled<'_>) -> TokenStream {
 }
 
 /// The pose, made of the computed values.
-fn result(mechanism: &Compiled<'_>) -> TokenStream {
+fn result(mechanism: &Compiled<'_>, stage: &Stage<Expression>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let pose = mechanism.pose(0);
@@ -194,7 +205,6 @@ fn result(mechanism: &Compiled<'_>) -> TokenStream {
     let outputs = output_values(mechanism, 0)
         .into_iter()
         .map(|(name, value)| quote!(#name: #runtime::Motion::new([#value])));
-    let stage = &mechanism.solvers.orders()[0];
     let parameters = mechanism.scalar_parameters();
     let carried = stage.carries.iter().map(|carried| {
         let name = mechanism.name_of(carried.symbol);

@@ -9,7 +9,7 @@ use quote::quote;
 
 use super::compiled::{Compiled, local};
 use crate::algebra::Symbol;
-use crate::lower::Lowering;
+use crate::lower::{Extent, Lowering};
 use crate::program::{Component, Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.
@@ -19,6 +19,8 @@ pub(super) struct ProgramText<'a> {
     names: &'a Names,
     /// Whether the steps go through all positions, and not to a single one.
     goes_through_all: bool,
+    /// The steps of the position that are written.
+    extent: Extent<'a>,
 }
 
 impl<'a> ProgramText<'a> {
@@ -28,6 +30,7 @@ impl<'a> ProgramText<'a> {
             mechanism,
             names: &program.names,
             goes_through_all: false,
+            extent: Extent::All,
         }
     }
 
@@ -39,6 +42,11 @@ impl<'a> ProgramText<'a> {
         }
     }
 
+    /// The text of a part of the position.
+    pub(super) fn part(self, extent: Extent<'a>) -> Self {
+        Self { extent, ..self }
+    }
+
     fn lowering(&self) -> Lowering<'a> {
         let Compiled {
             model, blocks, solvers, ..
@@ -48,6 +56,7 @@ impl<'a> ProgramText<'a> {
             blocks,
             solvers,
             goes_through_all: self.goes_through_all,
+            extent: self.extent,
         }
     }
 

@@ -6,7 +6,7 @@ use quote::quote;
 use super::ProgramText;
 use crate::algebra::Symbol;
 use crate::emit::compiled::local;
-use crate::lower::{Argument, Decisive, Label, Range, Selection, Statement, Value};
+use crate::lower::{Argument, Decisive, Extent, Label, Range, Selection, Statement, Value};
 use crate::program::{Expression, Returns, Stage};
 
 impl ProgramText<'_> {
@@ -271,9 +271,14 @@ impl ProgramText<'_> {
         }
     }
 
-    /// `.map_err(…)?` with the block and the inputs.
+    /// `.map_err(…)?` with the block and the inputs, which are not known yet where values are prepared.
     pub(super) fn failed(&self, label: &Label) -> TokenStream {
-        self.mechanism.failed_at(&self.label(label))
+        let block = self.label(label);
+        if let Extent::Prepared(_) = self.extent {
+            let failure = self.mechanism.fresh("failure");
+            return quote!(.map_err(|#failure| (#failure, #block))?);
+        }
+        self.mechanism.failed_at(&block)
     }
 }
 

@@ -78,6 +78,18 @@ pub(in crate::batch) fn forget<E: Element>() {
     E::judge(E::NO_VERDICTS);
 }
 
+/// Whether no lane has failed a check since the verdicts were last forgotten.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(in crate::batch) fn are_none<E: Element>() -> bool {
+    #[cfg(feature = "std")]
+    {
+        E::verdicts().as_ref().iter().all(|verdict| *verdict == E::zero())
+    }
+    // the ordinary solver decides about all lanes that fail
+    #[cfg(not(feature = "std"))]
+    true
+}
+
 /// The verdicts since they were last forgotten.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::batch) fn read<const W: usize, const BITS: usize, E: Element>() -> Lanes<W, BITS, E> {
