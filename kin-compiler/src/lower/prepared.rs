@@ -72,3 +72,59 @@ impl Extent<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use super::*;
+    use crate::passes::Passes;
+    use crate::testing::sound;
+
+    /// The names of what is prepared.
+    fn names(declaration: TokenStream) -> Vec<String> {
+        let solvers = sound(declaration).solvers(Passes::ALL);
+        let prepared = prepared(&solvers.orders()[0]);
+        let names = prepared.iter().map(|&symbol| solvers.names().of(symbol).to_owned());
+        let mut names: Vec<String> = names.collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// A sine of a parameter is prepared with all that is made of it, and no sine of an input.
+    #[test]
+    fn sines_of_parameters_are_prepared() {
+        let found = names(quote! {
+            struct Tilted { tilt: Angle, length: Length }
+            input theta: Angle;
+            unknown s: Length;
+            s == length * cos(tilt) * sin(theta);
+        });
+        assert_eq!(found, ["cos_tilt", "length_cos_tilt"]);
+    }
+
+    /// Few products are found as fast as they are read.
+    #[test]
+    fn products_alone_are_not_prepared() {
+        let found = names(quote! {
+            struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
+            input theta2: Angle;
+            unknown theta3: Angle, theta4: Angle;
+            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+        });
+        assert_eq!(found, [""; 0]);
+    }
+
+    /// What both candidates of a range need is found before them.
+    #[test]
+    fn candidates_are_prepared() {
+        let found = names(quote! {
+            struct Tilted { tilt: Angle, rod: Length }
+            input s: Length;
+            unknown phi: Angle in 0.0..3.0;
+            rod * cos(phi) / cos(tilt) == s;
+        });
+        assert_eq!(found, ["cos_tilt"]);
+    }
+}

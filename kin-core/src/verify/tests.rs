@@ -104,6 +104,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     type Unknowns<V: Copy> = [V; 1];
     type Results<V: Copy> = [V; 2];
     type Residuals<V: Copy> = [V; 1];
+    type Prepared = ();
     type Blocks<V: Copy> = [V; 1];
     type Dyads<V: Copy> = [V; 0];
     type SkeletonPoints = [Plane<T>; 0];
@@ -151,7 +152,14 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         Hyperbola { a: convert(self.a) }
     }
 
-    fn solve(&self, [x]: [Motion<T, LENGTH>; 1], Near([near]): Near<1>) -> Result<Self::Pose, SolveError> {
+    fn prepare(&self) {}
+
+    fn solve_prepared(
+        &self,
+        (): &(),
+        [x]: [Motion<T, LENGTH>; 1],
+        Near([near]): Near<1>,
+    ) -> Result<Self::Pose, SolveError> {
         self.motion(x, T::constant(near))
     }
 

@@ -144,9 +144,9 @@ pub(in crate::emit) fn tokens(
     };
     let prepared_name = local("prepared");
     let given = prepared.map(|_| quote!(#prepared_name,));
-    let (prepared_type, prepare) = prepared.map_or_else(
-        || (quote!(()), TokenStream::new()),
-        |prepared| (prepared.kind(), quote!(self.__prepared())),
+    let (prepared_type, prepare, ignore_prepared) = prepared.map_or_else(
+        || (quote!(()), TokenStream::new(), Some(quote!(let () = #prepared_name;))),
+        |prepared| (prepared.kind(), quote!(self.__prepared()), None),
     );
     let (solve, solve_near) = if is_coupled {
         (
@@ -225,7 +225,7 @@ pub(in crate::emit) fn tokens(
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
                 #ignore
-                let _ = #prepared_name;
+                #ignore_prepared
                 #solve
             }
 
