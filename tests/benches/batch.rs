@@ -10,9 +10,15 @@ mod measure;
 
 use core::hint::black_box;
 
+use kin_core::Prepared;
 use kin_core::batch::{Batch, Column, Fold, FoldedNumber, InputGrid, Outcome, Slot, Vectors};
-use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, SliderCrank, SliderCrankBatch};
+use kin_core::library::{
+    ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, JansenLeg, Rssr, SliderCrank, SliderCrankBatch,
+    SphericalFourBar,
+};
 use kin_core::prelude::*;
+use kin_tests::batches::Table;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::notes::{self, four_bar_geometric, sample};
 use kin_tests::random::Random;
 use measure::{Race, ratio};
@@ -413,11 +419,89 @@ fn all_cores() {
     ratio("four_bar.one_core/cores", 1.0 / cores as f64);
 }
 
+/// One pose after the other and in batches, with and without what depends on the parameters alone. A batch with a column
+/// for each parameter is not prepared.
+fn prepared<M: ThroughSnap>(name: &str, mechanism: M, assembly: M::Assembly, low: f64, high: f64) {
+    let motions = motions(low, high, POSES);
+    let columns = columns(&motions);
+    let inputs: Vec<_> = motions.iter().map(|motion| Motion::new(*motion)).collect();
+    let prepared = Prepared::of(mechanism);
+    let parameters = mechanism.parameters();
+    let parameters: Vec<Vec<f64>> = parameters
+        .as_ref()
+        .iter()
+        .map(|parameter| vec![*parameter; POSES])
+        .collect();
+    let mut race = Race::new(POSES);
+    race.enter(format!("{name}.solve"), inputs.clone(), move |motion| {
+        black_box(&mechanism).solve(M::Inputs::splat(motion), assembly)
+    });
+    race.enter(format!("{name}.prepared"), inputs, move |motion| {
+        black_box(&prepared).solve(M::Inputs::splat(motion), assembly)
+    });
+    for (vectors, kind) in kinds() {
+        for is_prepared in [false, true] {
+            let (columns, parameters) = (&columns, &parameters);
+            let mut poses = Table::new(&M::DESCRIPTION, POSES);
+            let mut outcomes = vec![Outcome::Unsolved; POSES];
+            let way = if is_prepared { "prepared" } else { "columns" };
+            race.enter_batch(format!("{name}.batch.{way}.{kind}"), move || {
+                let parameters = Row::from_fn(|index| {
+                    let column: &Vec<f64> = &parameters[index];
+                    if is_prepared {
+                        Column::Same(black_box(column[0]))
+                    } else {
+                        Column::Each(black_box(column))
+                    }
+                });
+                let motion: M::Motion<Column<'_>> = Row::from_fn(|order| Column::Each(black_box(&columns[order])));
+                let inputs = M::Inputs::splat(motion);
+                let summary = Batch::<M, _>::new(parameters, inputs, assembly)
+                    .vectors(vectors)
+                    .solve(&mut poses, &mut outcomes)
+                    .expect("the columns are of one length");
+                assert_eq!((summary.solved, summary.alone), (POSES, 0));
+                black_box((&mut poses, &mut outcomes));
+            });
+        }
+    }
+    let times = race.run();
+    times.ratio(&format!("{name}.prepared"), &format!("{name}.solve"));
+    for (_, kind) in kinds() {
+        times.ratio(
+            &format!("{name}.batch.prepared.{kind}"),
+            &format!("{name}.batch.columns.{kind}"),
+        );
+    }
+}
+
+fn what_is_prepared() {
+    let [ground, crank, coupler, rocker] = [80.0_f64, 25.0, 70.0, 60.0].map(f64::to_radians);
+    let spherical = SphericalFourBar {
+        ground,
+        crank,
+        coupler,
+        rocker,
+    };
+    prepared("spherical_four_bar", spherical, Assembly::Open, -3.1, 3.1);
+    let rssr = Rssr {
+        crank: 1.0,
+        pivot: Space::new(3.0, 0.5, 0.8),
+        axis: Space::new(0.2, 0.9, 0.3),
+        arm: Space::new(0.4, -0.3, 1.9),
+        rod: 3.3,
+    };
+    prepared("rssr", rssr, Assembly::Open, -3.1, 3.1);
+    let leg = JansenLeg::HOLY_NUMBERS;
+    prepared("jansen_leg", leg, JansenLeg::WALKING, -3.1, 3.1);
+}
+
 fn main() {
     four_bar();
     single_precision();
     out_of_reach();
     slider_crank();
+    what_is_prepared();
     coupled();
     folds();
     all_cores();
