@@ -419,8 +419,8 @@ fn all_cores() {
     ratio("four_bar.one_core/cores", 1.0 / cores as f64);
 }
 
-/// One pose after the other and in batches, with and without what depends on the parameters alone. A batch with a column
-/// for each parameter is not prepared.
+/// One pose after the other and in batches, with and without preparation. A batch with a column for each parameter is
+/// not prepared.
 fn prepared<M: ThroughSnap>(name: &str, mechanism: M, assembly: M::Assembly, low: f64, high: f64) {
     let motions = motions(low, high, POSES);
     let columns = columns(&motions);

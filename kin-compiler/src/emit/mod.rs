@@ -21,7 +21,7 @@ pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
     assembly, batch, description, every, formulas, interface, internal, outputs, page, picture, poses, position,
-    prepared::Prepared, readable, residuals, sensitivities, solve, stored, test, track, transmission, values,
+    prepared::PreparedValues, readable, residuals, sensitivities, solve, stored, test, track, transmission, values,
 };
 use sheet::SheetText;
 
@@ -58,7 +58,7 @@ pub(crate) fn tokens(
         SheetText::new(declaration, model, inside.runtime),
     );
     let picture = picture::tokens(&text, &sheets, &values::argument(inside));
-    let prepared = Prepared::of(inside);
+    let prepared = PreparedValues::of(inside);
     let prepared = prepared.as_ref();
     let constants = [
         assembly::list(inside),
@@ -78,7 +78,7 @@ pub(crate) fn tokens(
         picture.method,
     ];
     let mut internals = vec![position::internal(inside, prepared)];
-    internals.extend(prepared.map(Prepared::internal));
+    internals.extend(prepared.map(PreparedValues::internal));
     internals.extend(solve::internal(inside));
     internals.extend(assembly::internal(inside));
     let of_f64: Vec<_> = every::internal(inside).into_iter().collect();
@@ -100,7 +100,7 @@ pub(crate) fn tokens(
         every::absence(inside),
     ];
     let name = &model.name;
-    let prepared = prepared.map(Prepared::structure);
+    let prepared = prepared.map(PreparedValues::structure);
     let implementations = quote! {
         #prepared
 

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::prepared::Prepared;
+use super::prepared::PreparedValues;
 use super::{assembly, closure, every, forms, jacobian, transmission};
 use crate::describe::{self, DescribedQuantity, Description};
 use crate::emit::compiled::{Compiled, local};
@@ -13,7 +13,7 @@ use crate::model::Dimension;
 /// `impl Mechanism` and `impl Pose`. The items of the picture and the outputs are added to the former.
 pub(in crate::emit) fn tokens(
     mechanism: &Compiled<'_>,
-    prepared: Option<&Prepared<'_>>,
+    prepared: Option<&PreparedValues<'_>>,
     picture: &TokenStream,
     outputs: &TokenStream,
 ) -> TokenStream {

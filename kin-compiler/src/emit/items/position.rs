@@ -6,14 +6,14 @@ use quote::quote;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
-use crate::emit::items::prepared::Prepared;
+use crate::emit::items::prepared::PreparedValues;
 use crate::emit::text::ProgramText;
 use crate::emit::vector_type;
 use crate::model::{Dimension, FormulaValue};
 use crate::program::{Expression, Stage, UnitPart};
 
 /// `position`, `position_near`, and the solver that both call.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, prepared: Option<&Prepared<'_>>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, prepared: Option<&PreparedValues<'_>>) -> TokenStream {
     let runtime = mechanism.runtime;
     let given_prepared = prepared.map(|_| quote!(&self.__prepared(),));
     let model = mechanism.model;
@@ -121,7 +121,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, prepared: Option<&Prepar
 }
 
 /// The solver that `position` and `position_near` call.
-pub(in crate::emit) fn internal(mechanism: &Compiled<'_>, prepared: Option<&Prepared<'_>>) -> Internal {
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>, prepared: Option<&PreparedValues<'_>>) -> Internal {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let pose = mechanism.pose(0);
@@ -146,7 +146,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>, prepared: Option<&Prep
         let (name, kind) = (mechanism.fresh("prepared"), prepared.kind());
         quote!(#name: &#kind,)
     });
-    let prepared = prepared.map(Prepared::readings);
+    let prepared = prepared.map(PreparedValues::readings);
     let readings = text.readings(stage, &given);
     let result = result(mechanism, stage);
     Internal {

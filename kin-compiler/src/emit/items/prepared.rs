@@ -13,7 +13,7 @@ use crate::lower::{self, Extent};
 use crate::program::{Expression, Stage};
 
 /// The prepared values of a mechanism, and what is left of its position.
-pub(in crate::emit) struct Prepared<'a> {
+pub(in crate::emit) struct PreparedValues<'a> {
     mechanism: &'a Compiled<'a>,
     /// `RssrPrepared`.
     name: Ident,
@@ -25,7 +25,7 @@ pub(in crate::emit) struct Prepared<'a> {
     pub(in crate::emit) body: TokenStream,
 }
 
-impl<'a> Prepared<'a> {
+impl<'a> PreparedValues<'a> {
     /// Those of a mechanism whose position finds something from the parameters alone that takes long. A coupled block
     /// takes much longer than all that could be prepared.
     pub(in crate::emit) fn of(mechanism: &'a Compiled<'a>) -> Option<Self> {

@@ -91,7 +91,7 @@ fn contest<M: ThroughSnap>(environment: &Environment, course: &Course<M>) -> Vec
         }
     }
     if !is_long {
-        race.enter_each("kin.solve", wanted.clone(), |own| own.solve(black_box(mechanism)));
+        race.enter_each("kin.solve", wanted.clone(), |own| own.solve(black_box(&mechanism)));
         if let Some(native) = &environment.native {
             let command = &mut Command::new(native);
             let found = race.enter_program("kin.solve.native", &folder, command.args(["--turns", &course.name()]));

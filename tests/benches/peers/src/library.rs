@@ -42,7 +42,7 @@ impl Visitor for Table<'_> {
         let tape = tape::record::<M>(&Options::new()).expect("every mechanism of the library is recorded");
         let written = Written::new(&tape, &folder, &rows);
         let mut race = Race::new(POSES, TURNS);
-        race.enter_each("solve", wanted, |own| own.solve(black_box(mechanism)));
+        race.enter_each("solve", wanted, |own| own.solve(black_box(&mechanism)));
         let found = [
             written.enter_c(&mut race, "c", &folder, POSES, &["-O2", "-ffp-contract=off"]),
             written.enter_java_script(&mut race, "javascript", &folder),

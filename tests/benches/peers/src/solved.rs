@@ -52,7 +52,7 @@ impl<M: ThroughSnap> Wanted<M> {
                 assembly: draw % M::ASSEMBLY_COUNT.max(1),
                 near: (M::ASSEMBLY_COUNT == 0).then(|| M::Unknowns::from_fn(|_| random.between(-4.0, 4.0))),
             };
-            if own.solve(mechanism).is_ok() {
+            if own.solve(&mechanism).is_ok() {
                 all.push(own);
             }
         }
@@ -61,7 +61,7 @@ impl<M: ThroughSnap> Wanted<M> {
     }
 
     /// Finds it.
-    pub(crate) fn solve(self, mechanism: M) -> Result<M::Pose, SolveError> {
+    pub(crate) fn solve(&self, mechanism: &M) -> Result<M::Pose, SolveError> {
         match self.near {
             Some(near) => mechanism.solve_near(self.inputs, near),
             None => mechanism.solve(self.inputs, M::assembly(self.assembly).expect("it is one of them")),
@@ -85,8 +85,8 @@ impl<M: ThroughSnap> Wanted<M> {
     }
 
     /// The results of the tape.
-    pub(crate) fn results(self, mechanism: M) -> Vec<f64> {
-        let pose = self.solve(mechanism).expect("it is in reach");
+    pub(crate) fn results(&self, mechanism: M) -> Vec<f64> {
+        let pose = self.solve(&mechanism).expect("it is in reach");
         let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
         let motions = unknowns.as_ref().iter().chain(outputs.as_ref());
         motions.flat_map(|motion| motion.as_ref().to_vec()).collect()

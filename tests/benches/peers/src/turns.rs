@@ -28,7 +28,7 @@ impl Visitor for Turns {
         for _ in std::io::stdin().lock().lines() {
             println!(
                 "{}",
-                turn(|| solve_each(&wanted, |own| own.solve(black_box(mechanism))))
+                turn(|| solve_each(&wanted, |own| own.solve(black_box(&mechanism))))
             );
         }
     }
