@@ -14,7 +14,7 @@ mod whole;
 
 pub(crate) use mechanism::most_positions;
 pub use mechanism::{Closure, ClosureTerm, EveryPosition, Form, Mechanism, Routine, UnitVector};
-pub(crate) use prepared::{Extent, prepared};
+pub(crate) use prepared::Extent;
 pub use statement::{Argument, Decisive, Label, Range, Selection, Statement};
 pub(crate) use steps::Lowering;
 pub use value::Value;

@@ -2,11 +2,23 @@
 
 use std::collections::BTreeSet;
 
+use super::Lowering;
 use crate::algebra::Symbol;
 use crate::program::{Expression, Mode, Stage, Step};
+use crate::structure::Block;
 
-/// The values of a position that need the parameters alone; none if they are found as fast as they are read.
-pub(crate) fn prepared(position: &Stage<Expression>) -> BTreeSet<Symbol> {
+impl Lowering<'_> {
+    /// The values of a position that are found first, because they need the parameters alone. There are none if they
+    /// are found as fast as they are read, or if a block is coupled: that takes much longer than all of them.
+    pub(crate) fn prepared(&self, position: &Stage<Expression>) -> BTreeSet<Symbol> {
+        if self.blocks.iter().any(Block::is_coupled) {
+            return BTreeSet::new();
+        }
+        of_parameters_alone(position)
+    }
+}
+
+fn of_parameters_alone(position: &Stage<Expression>) -> BTreeSet<Symbol> {
     let (mut prepared, mut takes_long, mut is_ranged) = (BTreeSet::new(), false, false);
     for step in &position.steps {
         takes_long |= match step {
@@ -85,7 +97,7 @@ mod tests {
     /// The names of what is prepared.
     fn names(declaration: TokenStream) -> Vec<String> {
         let solvers = sound(declaration).solvers(Passes::ALL);
-        let prepared = prepared(&solvers.orders()[0]);
+        let prepared = of_parameters_alone(&solvers.orders()[0]);
         let names = prepared.iter().map(|&symbol| solvers.names().of(symbol).to_owned());
         let mut names: Vec<String> = names.collect();
         names.sort_unstable();

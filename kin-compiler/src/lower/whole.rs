@@ -23,6 +23,7 @@ pub(crate) fn mechanism(model: &Model, blocks: &[Block], solvers: &Solvers) -> M
     let mut telltales: Vec<(usize, usize)> = solvers.telltales.iter().copied().collect();
     telltales.sort_by_key(|&(unknown, order)| (order, unknown));
     let (position, rates) = (&solvers.orders()[0], &solvers.orders()[1..]);
+    let prepared = lowering.prepared(position);
     Mechanism {
         description: describe::description(model, blocks, solvers),
         outputs: model
@@ -39,7 +40,10 @@ pub(crate) fn mechanism(model: &Model, blocks: &[Block], solvers: &Solvers) -> M
             .collect(),
         choices: describe::choice_names(model, blocks, solvers),
         is_coupled: blocks.iter().any(Block::is_coupled),
-        position: lowering.position(position),
+        position: [Extent::Prepared(&prepared), Extent::Further(&prepared)]
+            .into_iter()
+            .flat_map(|extent| Lowering { extent, ..lowering }.position(position))
+            .collect(),
         rates: rates.iter().map(|stage| lowering.plain(stage)).collect(),
         telltales,
         sensitivities: solvers.sensitivities().map(|stage| lowering.plain(stage)),

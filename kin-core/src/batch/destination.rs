@@ -19,7 +19,7 @@ type UnknownColumns<M, C> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<
 type OutputColumns<M, C> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<C>>;
 
 /// The column of one number of each pose of a mechanism.
-type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
+pub(super) type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
 /// The column of one number of each pose of a mechanism, as lanes store it.
 type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>;

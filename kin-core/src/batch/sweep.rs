@@ -7,7 +7,7 @@ use num_traits::{Float, Zero};
 
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::{Destination, Entries};
+use super::destination::{Destination, EntriesOf};
 use super::dispatch::{Avx512, Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
@@ -24,9 +24,6 @@ type MotionsInLanes<M, const W: usize, const BITS: usize> =
     <<M as Mechanism>::With<Lanes<W, BITS, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
         <M as Mechanism>::Motion<Lanes<W, BITS, <M as Mechanism>::Scalar>>,
     >;
-
-/// The column of one number of each pose of a declared mechanism.
-type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
 /// The entries of the transmission angles of a declared mechanism.
 pub(super) type AngleEntries<'t, M> = TransmissionColumns<EntriesOf<'t, M>, <M as Mechanism>::Dyads<EntriesOf<'t, M>>>;
@@ -235,7 +232,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
     ) -> Result<Summary, LengthMismatch> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
-        let nowhere: Entries<'_, M::Scalar> = &[];
+        let nowhere: EntriesOf<'_, M> = &[];
         let angles = TransmissionColumns::nowhere(Row::splat(nowhere));
         Ok(self.store(&destination, &angles, outcomes))
     }

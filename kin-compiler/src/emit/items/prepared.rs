@@ -9,7 +9,7 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes};
 use crate::emit::items::internal::Internal;
 use crate::emit::text::ProgramText;
-use crate::lower::{self, Extent};
+use crate::lower::Extent;
 use crate::program::{Expression, Stage};
 
 /// The prepared values of a mechanism, and what is left of its position.
@@ -26,15 +26,14 @@ pub(in crate::emit) struct PreparedValues<'a> {
 }
 
 impl<'a> PreparedValues<'a> {
-    /// Those of a mechanism whose position finds something from the parameters alone that takes long. A coupled block
-    /// takes much longer than all that could be prepared.
+    /// Those of a mechanism, if there are any.
     pub(in crate::emit) fn of(mechanism: &'a Compiled<'a>) -> Option<Self> {
         let stage = &mechanism.solvers.orders()[0];
-        let symbols = lower::prepared(stage);
-        if mechanism.is_coupled() || symbols.is_empty() {
+        let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
+        let symbols = text.prepared(stage);
+        if symbols.is_empty() {
             return None;
         }
-        let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
         let body = text.part(Extent::Further(&symbols)).position_steps(stage);
         let further = reading(mechanism, stage, &body);
         let words = words(body.clone());

@@ -4,6 +4,8 @@ mod expression;
 mod iterations;
 mod statements;
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -45,6 +47,11 @@ impl<'a> ProgramText<'a> {
     /// The text of a part of the position.
     pub(super) fn part(self, extent: Extent<'a>) -> Self {
         Self { extent, ..self }
+    }
+
+    /// The values of a position that need the parameters alone.
+    pub(super) fn prepared(&self, position: &Stage<Expression>) -> BTreeSet<Symbol> {
+        self.lowering().prepared(position)
     }
 
     fn lowering(&self) -> Lowering<'a> {
