@@ -15,8 +15,8 @@ use crate::failure::{Failure, SolveError};
 /// use kin_core::library::SphericalFourBar;
 /// use kin_core::prelude::*;
 ///
-/// let [ground, input, coupler, output] = [80.0, 30.0, 70.0, 60.0].map(f64::to_radians);
-/// let linkage = SphericalFourBar { ground, input, coupler, output };
+/// let [ground, crank, coupler, rocker] = [80.0, 25.0, 70.0, 60.0].map(f64::to_radians);
+/// let linkage = SphericalFourBar { ground, crank, coupler, rocker };
 /// let prepared = Prepared::of(linkage);
 /// for step in 0..10 {
 ///     let motion = Motion::at_constant_speed(0.1 * f64::from(step), 20.0);
