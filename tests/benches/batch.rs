@@ -421,8 +421,8 @@ fn all_cores() {
 
 /// One pose after the other and in batches, with and without preparation. A batch with a column for each parameter is
 /// not prepared.
-fn prepared<M: ThroughSnap>(name: &str, mechanism: M, assembly: M::Assembly, low: f64, high: f64) {
-    let motions = motions(low, high, POSES);
+fn prepared<M: ThroughSnap>(name: &str, mechanism: M, assembly: M::Assembly) {
+    let motions = motions(-3.1, 3.1, POSES);
     let columns = columns(&motions);
     let inputs: Vec<_> = motions.iter().map(|motion| Motion::new(*motion)).collect();
     let prepared = Prepared::of(mechanism);
@@ -483,7 +483,7 @@ fn what_is_prepared() {
         coupler,
         rocker,
     };
-    prepared("spherical_four_bar", spherical, Assembly::Open, -3.1, 3.1);
+    prepared("spherical_four_bar", spherical, Assembly::Open);
     let rssr = Rssr {
         crank: 1.0,
         pivot: Space::new(3.0, 0.5, 0.8),
@@ -491,9 +491,9 @@ fn what_is_prepared() {
         arm: Space::new(0.4, -0.3, 1.9),
         rod: 3.3,
     };
-    prepared("rssr", rssr, Assembly::Open, -3.1, 3.1);
+    prepared("rssr", rssr, Assembly::Open);
     let leg = JansenLeg::HOLY_NUMBERS;
-    prepared("jansen_leg", leg, JansenLeg::WALKING, -3.1, 3.1);
+    prepared("jansen_leg", leg, JansenLeg::WALKING);
 }
 
 fn main() {

@@ -155,7 +155,32 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
     #[must_use]
     pub fn solve(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
         let numbers = self.numbers();
-        let (parameters, inputs) = (numbers.parameters::<M>(), numbers.inputs::<M>());
+        self.solve_columns(numbers.parameters::<M>(), &numbers, assembly, vectors)
+    }
+
+    /// Solves them as poses of the first mechanism.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[must_use]
+    pub fn solve_as_one_mechanism(
+        &self,
+        assembly: M::Assembly,
+        vectors: Vectors,
+    ) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
+        let parameters = self.mechanisms[0].parameters();
+        let same = Row::from_fn(|place| Column::Same(parameters[place]));
+        self.solve_columns(same, &self.numbers(), Some(assembly), vectors)
+    }
+
+    fn solve_columns<'a>(
+        &self,
+        parameters: M::Parameters<Column<'a, M::Scalar>>,
+        numbers: &'a Numbers<M::Scalar>,
+        assembly: Option<M::Assembly>,
+        vectors: Vectors,
+    ) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
+        let inputs = numbers.inputs::<M>();
         let (mut table, mut outcomes) = self.places();
         // A constant condition, so that only one of the two is compiled.
         let summary = if const { M::ASSEMBLY_COUNT > 0 } {
@@ -169,29 +194,6 @@ impl<M: Mechanism<Scalar: Element>> Poses<M> {
                 .vectors(vectors)
                 .solve(&mut table, &mut outcomes)
         };
-        (table, outcomes, summary.expect("all columns are of one length"))
-    }
-
-    /// Solves them as poses of the first mechanism.
-    ///
-    /// # Panics
-    /// If there is none.
-    #[must_use]
-    pub fn solve_as_one_mechanism(
-        &self,
-        assembly: M::Assembly,
-        vectors: Vectors,
-    ) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
-        let numbers = self.numbers();
-        let (mut table, mut outcomes) = self.places();
-        let parameters = self.mechanisms[0].parameters();
-        let summary = Batch::<M, _>::new(
-            Row::from_fn(|place| Column::Same(parameters[place])),
-            numbers.inputs::<M>(),
-            assembly,
-        )
-        .vectors(vectors)
-        .solve(&mut table, &mut outcomes);
         (table, outcomes, summary.expect("all columns are of one length"))
     }
 

@@ -64,10 +64,11 @@ fn divides(value: &Expression) -> bool {
 /// The steps of a position that are lowered.
 #[derive(Clone, Copy)]
 pub(crate) enum Extent<'a> {
+    /// All of them.
     All,
     /// Those that find prepared values.
     Prepared(&'a BTreeSet<Symbol>),
-    /// Those that need prepared values.
+    /// All others.
     Further(&'a BTreeSet<Symbol>),
 }
 

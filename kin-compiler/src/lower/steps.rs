@@ -16,6 +16,7 @@ pub(crate) struct Lowering<'a> {
     pub(crate) solvers: &'a Solvers,
     /// Whether the steps go through all positions, and not to a single one.
     pub(crate) goes_through_all: bool,
+    /// The steps of the position that are lowered.
     pub(crate) extent: Extent<'a>,
 }
 

@@ -86,16 +86,10 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
         't: 'v,
     {
         let mut chunks = Destination::<M, ViewOf<'v, M, W>>::splat(View::same(spare));
-        for (views, columns) in chunks.inputs.as_mut().iter_mut().zip(self.inputs.as_ref()) {
-            look_at_entries(views.as_mut(), columns.as_ref(), spare);
-        }
-        for (views, columns) in chunks.unknowns.as_mut().iter_mut().zip(self.unknowns.as_ref()) {
-            look_at_entries(views.as_mut(), columns.as_ref(), spare);
-        }
+        look_at_motions(chunks.inputs.as_mut(), self.inputs.as_ref(), spare);
+        look_at_motions(chunks.unknowns.as_mut(), self.unknowns.as_ref(), spare);
         look_at_entries(chunks.sines.as_mut(), self.sines.as_ref(), spare);
-        for (views, columns) in chunks.outputs.as_mut().iter_mut().zip(self.outputs.as_ref()) {
-            look_at_entries(views.as_mut(), columns.as_ref(), spare);
-        }
+        look_at_motions(chunks.outputs.as_mut(), self.outputs.as_ref(), spare);
         chunks
     }
 
@@ -189,6 +183,17 @@ fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], colu
         }
     }
     sum
+}
+
+/// [`look_at_entries`] for the columns of all orders of several numbers.
+fn look_at_motions<'v, 't: 'v, const W: usize, E: Element>(
+    views: &mut [impl Row<View<'v, Cell<E>, W>>],
+    columns: &[impl Row<Entries<'t, E>>],
+    spare: &'v [Cell<E>; W],
+) {
+    for (views, columns) in views.iter_mut().zip(columns) {
+        look_at_entries(views.as_mut(), columns.as_ref(), spare);
+    }
 }
 
 /// A number of one pose or of several, which is stored in a column of the form `C`.

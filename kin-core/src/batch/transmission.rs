@@ -1,8 +1,8 @@
 //! The transmission angles of a batch, which are calculated where they are wanted.
 
-use num_traits::Float;
-
 use core::cell::Cell;
+
+use num_traits::Float;
 
 use super::destination::{Entries, Stored};
 use super::lanes::{Element, Lanes};

@@ -20,8 +20,9 @@ pub(in crate::emit) struct PreparedValues<'a> {
     symbols: BTreeSet<Symbol>,
     /// Those of the symbols that the rest of the position reads.
     kept: Vec<Ident>,
-    /// The rest of the position, with the symbols that it reads.
+    /// What the rest of the position reads and hands on.
     pub(in crate::emit) further: Stage<Expression>,
+    /// The rest of the position.
     pub(in crate::emit) body: TokenStream,
 }
 
@@ -35,8 +36,8 @@ impl<'a> PreparedValues<'a> {
             return None;
         }
         let body = text.part(Extent::Further(&symbols)).position_steps(stage);
-        let further = reading(mechanism, stage, &body);
         let words = words(body.clone());
+        let further = reading(mechanism, stage, &words);
         let is_carried = |symbol| stage.carries.iter().any(|carried| carried.symbol == symbol);
         let kept = symbols.iter().filter_map(|&symbol| {
             let name = mechanism.name_of(symbol);
@@ -78,7 +79,7 @@ impl<'a> PreparedValues<'a> {
         let stage = &mechanism.solvers.orders()[0];
         let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
         let body = text.part(Extent::Prepared(&self.symbols)).position_steps(stage);
-        let readings = text.readings(&reading(mechanism, stage, &body), &[]);
+        let readings = text.readings(&reading(mechanism, stage, &words(body.clone())), &[]);
         let kind = self.kind();
         Internal {
             attributes: quote! {
@@ -107,14 +108,14 @@ impl<'a> PreparedValues<'a> {
     }
 }
 
-/// A stage that reads only those of its symbols whose names are in its text.
-fn reading(mechanism: &Compiled<'_>, stage: &Stage<Expression>, text: &TokenStream) -> Stage<Expression> {
-    let words = words(text.clone());
-    let mut stage = stage.clone();
-    stage
-        .reads
-        .retain(|&symbol| words.contains(&mechanism.name_of(symbol).to_string()));
-    stage
+/// What a part of the position reads and hands on. It reads the symbols whose names are among its words.
+fn reading(mechanism: &Compiled<'_>, position: &Stage<Expression>, words: &BTreeSet<String>) -> Stage<Expression> {
+    let is_read = |symbol: &&Symbol| words.contains(&mechanism.name_of(**symbol).to_string());
+    Stage {
+        reads: position.reads.iter().filter(is_read).copied().collect(),
+        carries: position.carries.clone(),
+        ..Stage::new(Vec::new())
+    }
 }
 
 /// The words of a text.
