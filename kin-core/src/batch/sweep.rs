@@ -432,7 +432,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             if !is_prepared {
                 prepared = Some(mechanism.prepare());
                 // a verdict about the parameters is left again for each chunk
-                is_prepared = are_same && verdicts::are_none::<M::Scalar>();
+                is_prepared = are_same && verdicts::are_none::<W, BITS, M::Scalar>();
             }
             if let Some(prepared) = &prepared
                 && let Ok(pose) = batch.guide.solve(&mechanism, prepared, motions, guess)

@@ -78,18 +78,6 @@ pub(in crate::batch) fn forget<E: Element>() {
     E::judge(E::NO_VERDICTS);
 }
 
-/// Whether no lane has failed a check since the verdicts were last forgotten.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(in crate::batch) fn are_none<E: Element>() -> bool {
-    #[cfg(feature = "std")]
-    {
-        E::verdicts().as_ref().iter().all(|verdict| *verdict == E::zero())
-    }
-    // the ordinary solver decides about all lanes that fail
-    #[cfg(not(feature = "std"))]
-    true
-}
-
 /// The verdicts since they were last forgotten.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::batch) fn read<const W: usize, const BITS: usize, E: Element>() -> Lanes<W, BITS, E> {
@@ -101,6 +89,13 @@ pub(in crate::batch) fn read<const W: usize, const BITS: usize, E: Element>() ->
     }
     #[cfg(not(feature = "std"))]
     Lanes([E::nan(); W])
+}
+
+/// Whether no lane has failed a check since the verdicts were last forgotten, as far as verdicts are kept.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(in crate::batch) fn are_none<const W: usize, const BITS: usize, E: Element>() -> bool {
+    let Lanes(verdicts) = read::<W, BITS, E>();
+    cfg!(not(feature = "std")) || verdicts.iter().all(|verdict| *verdict == E::zero())
 }
 
 /// Records a verdict for the lanes where `news` is not zero, unless an earlier check has left one.
