@@ -45,6 +45,15 @@ pub struct FactorRow {
     column_scale: f64,
 }
 
+/// By which powers of two the rows and columns of a matrix are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scaling {
+    /// By those that bring the largest entry of each to between 2 and 4.
+    New,
+    /// By those of a matrix before, of which the entries differ little.
+    Kept,
+}
+
 /// What an elimination leaves beside the factors.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -102,7 +111,7 @@ pub(super) fn checked_factors<T: Scalar>(entries: &mut [T], rows: &mut [FactorRo
     if !entries.iter().all(|entry| entry.is_finite()) {
         return Err(Failure::not_finite(QUANTITY));
     }
-    factor_to(entries, rows, T::EPSILON)
+    factor_to(entries, rows, T::EPSILON, Scaling::New)
 }
 
 /// [`Factors::solve`] with factors that [`factor_in`] has found.
@@ -115,12 +124,16 @@ pub fn substitute_in<T: Scalar>(entries: &[T], rows: &[FactorRow], right: &[T], 
 /// [`factor_in`] for entries that are finite and known to a relative error of `epsilon`. Their type may be more precise
 /// than that.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn factor_to<T: Scalar>(
+pub(crate) fn factor_to<T: Scalar>(
     entries: &mut [T],
     rows: &mut [FactorRow],
     epsilon: f64,
+    scaling: Scaling,
 ) -> Result<Elimination, Failure> {
-    level(entries, rows);
+    match scaling {
+        Scaling::New => level(entries, rows),
+        Scaling::Kept => scale(entries, rows),
+    }
     let (is_odd, is_singular) = eliminate(entries, rows, epsilon);
     if is_singular {
         let determinant = Determinant::of(entries, rows, is_odd).value().leading();
@@ -148,6 +161,16 @@ fn level<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) {
         row.column_scale = levelling::<T>(largest_of(column().map(|index| &entries[index])));
         for index in column() {
             entries[index] = entries[index] * T::constant(row.column_scale);
+        }
+    }
+}
+
+/// Multiplies rows and columns by the powers of two that are recorded.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn scale<T: Scalar>(entries: &mut [T], rows: &[FactorRow]) {
+    for (entries, row) in entries.chunks_exact_mut(rows.len().max(1)).zip(rows) {
+        for (entry, column) in entries.iter_mut().zip(rows) {
+            *entry = *entry * T::constant(row.row_scale) * T::constant(column.column_scale);
         }
     }
 }
@@ -449,7 +472,7 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::TestCaseResult;
 
-    use super::{Determinant, factor, levelling};
+    use super::{Determinant, FactorRow, Scaling, factor, factor_in, factor_to, levelling, substitute_in};
     use crate::failure::Failure;
     use crate::number::{Number, series::Series};
     use crate::solve::strategies::coordinate;
@@ -588,6 +611,27 @@ mod tests {
         let single = factor([[1e-38_f32, 0.0], [0.0, 1e38]]).unwrap();
         assert!((single.determinant() - 1.0).abs() <= 2.0 * f32::EPSILON);
         assert!((1.0..2.0).contains(&single.condition()));
+    }
+
+    /// The scales of another matrix change no bit as long as the pivots stay, and nothing is lost to the range of numbers.
+    #[test]
+    fn scales_of_a_similar_matrix_do_not_matter() {
+        for unit in [1.0, 1e-150, 1e150] {
+            let matrix =
+                [[15.0, 2.0, 3.0], [4.0, 13.0, -5.0], [1.0, -1.0, 7.0]].map(|row| row.map(|entry| unit * entry));
+            let similar = matrix.map(|row| row.map(|entry| 1.3 * entry + 0.1 * unit));
+            let expected = factor(similar).unwrap();
+            let mut rows = [FactorRow::default(); 3];
+            factor_in(matrix.clone().as_flattened_mut(), &mut rows).unwrap();
+            let mut entries = similar;
+            let elimination = factor_to(entries.as_flattened_mut(), &mut rows, f64::EPSILON, Scaling::Kept).unwrap();
+            let right = [6.0, 16.0, 1.0];
+            let mut solution = [0.0; 3];
+            substitute_in(entries.as_flattened(), &rows, &right, &mut solution);
+            assert_eq!(solution, expected.solve(right));
+            let determinant = Determinant::of(entries.as_flattened(), &rows, elimination.is_odd);
+            assert_eq!(determinant.value(), expected.determinant());
+        }
     }
 
     #[test]

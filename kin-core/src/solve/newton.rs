@@ -3,7 +3,7 @@
 use core::array;
 
 use super::factor::{
-    Determinant, FactorRow, Scratch, amplification, condition, factor_in, factor_to, larger, substitute_in,
+    Determinant, FactorRow, Scaling, Scratch, amplification, condition, factor_in, factor_to, larger, substitute_in,
 };
 use crate::failure::Failure;
 use crate::solve::Scalar;
@@ -28,7 +28,8 @@ pub(crate) const CONVERGING: f64 = 0.5;
 /// The largest part of the correction before from which the next correction is foretold: they fall quadratically, and
 /// the determinant changes by less than a thirtieth over the last one.
 pub(crate) const QUADRATIC: f64 = 0.125;
-/// The correction, in units of ε, that is foretold where an iteration ends.
+/// The correction, in units of ε, that is foretold where an iteration ends, and the error of a simplified correction
+/// with which it ends.
 pub(crate) const NEGLIGIBLE: f64 = 0.0625;
 
 /// The root of as many equations as unknowns near a guess, found by Newton's method.
@@ -46,7 +47,12 @@ pub(crate) const NEGLIGIBLE: f64 = 0.0625;
 ///
 /// After a correction of at most half of the one before, the next step is a full one without this test: the measure h
 /// of the same section is then at most 1. Once corrections fall to an eighth, each is about a constant times the square
-/// of the one before. So the iteration ends with the correction after which the next one would disappear.
+/// of the one before. So the iteration ends with the correction after which the next one would disappear. The last
+/// correction is a simplified one, by the factors of the Jacobian before, where these are as good: over a step h changes
+/// the Jacobian by a part of about h.
+///
+/// The rows and columns of a Jacobian are scaled anew after a step that may have changed it much. After another step
+/// they keep their scales.
 ///
 /// All decisions and calculations so far use real parts. If the number carries derivatives up to order n, log₂(n + 1)
 /// plain steps then add them: each step doubles the number of correct orders.
@@ -99,11 +105,11 @@ fn newton_of<T: Scalar, const N: usize>(
     // any number will do, and a constant of a number that records would be recorded
     let any = guess.first().copied().unwrap_or_else(|| T::constant(0.0));
     // an array for each, so that a compiler can keep it in registers
-    let mut first = [[any; N]; N];
-    let (mut second, mut third, mut fourth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
+    let (mut first, mut second) = ([[any; N]; N], [[any; N]; N]);
+    let (mut third, mut fourth, mut fifth) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
     let memory = NewtonMemory {
         vectors: [&mut [any; N], &mut [any; N], &mut [any; N]],
-        matrix: first.as_flattened_mut(),
+        matrices: [first.as_flattened_mut(), second.as_flattened_mut()],
         real_vectors: [
             &mut [0.0; N],
             &mut [0.0; N],
@@ -116,9 +122,9 @@ fn newton_of<T: Scalar, const N: usize>(
             &mut [0.0; N],
         ],
         real_matrices: [
-            second.as_flattened_mut(),
             third.as_flattened_mut(),
             fourth.as_flattened_mut(),
+            fifth.as_flattened_mut(),
         ],
         rows: &mut [FactorRow::default(); N],
     };
@@ -168,7 +174,7 @@ impl<T, F: FnMut(&[T], &mut [T], &mut [T])> Equations<T> for F {
 #[derive(Debug)]
 pub struct NewtonMemory<'m, T> {
     pub(crate) vectors: [&'m mut [T]; 3],
-    pub(crate) matrix: &'m mut [T],
+    pub(crate) matrices: [&'m mut [T]; 2],
     real_vectors: [&'m mut [f64]; 9],
     real_matrices: [&'m mut [f64]; 3],
     pub(crate) rows: &'m mut [FactorRow],
@@ -179,7 +185,7 @@ impl<'m, T> NewtonMemory<'m, T> {
     #[must_use]
     pub const fn lengths(unknowns: usize) -> [usize; 3] {
         let (vector, matrix) = (unknowns, unknowns * unknowns);
-        [3 * vector + matrix, 9 * vector + 3 * matrix, vector]
+        [3 * vector + 2 * matrix, 9 * vector + 3 * matrix, vector]
     }
 
     /// Memory of these [lengths](Self::lengths) or more, with any content; `None` if it is less.
@@ -194,7 +200,7 @@ impl<'m, T> NewtonMemory<'m, T> {
         let (real_vectors, real_matrices) = reals.split_at_mut(9 * vector);
         Some(Self {
             vectors: parts(vectors, vector),
-            matrix: &mut numbers[..matrix],
+            matrices: parts(numbers, matrix),
             real_vectors: parts(real_vectors, vector),
             real_matrices: parts(real_matrices, matrix),
             rows: &mut rows[..vector],
@@ -238,7 +244,8 @@ pub(crate) fn damped_root<T: Scalar>(
     mut equations: impl Equations<T>,
 ) -> Result<(), Failure> {
     let [residuals, other, ..] = memory.vectors;
-    let (jacobian, rows) = (memory.matrix, memory.rows);
+    let [jacobian, _] = memory.matrices;
+    let rows = memory.rows;
     let real = RealMemory {
         vectors: memory.real_vectors,
         matrices: memory.real_matrices,
@@ -274,14 +281,15 @@ struct RealMemory<'m> {
     rows: &'m mut [FactorRow],
 }
 
-/// A step to a trial: the length of the correction, the part of it that is taken, the determinant where it began, and
-/// whether the trial is tested.
+/// A step to a trial: the length of the correction, the part of it that is taken, the determinant where it began,
+/// whether the trial is tested, and whether a simplified correction there is the last one.
 #[derive(Clone, Copy)]
 struct Step {
     length: f64,
     part: f64,
     determinant: Determinant<f64>,
     is_tested: bool,
+    is_last: bool,
 }
 
 /// What follows from a trial.
@@ -338,6 +346,7 @@ fn real_root<T: Scalar>(
         // Equations are evaluated, and factors are found, at one place each, as there is much to inline.
         equations.evaluate(trial, typed_residuals, typed_jacobian);
         let is_finite = are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian);
+        let mut scaling = Scaling::New;
         let verdict = match step {
             None if !is_finite => return Err(Failure::not_finite(QUANTITY)),
             Some(step) if !is_finite => Verdict::Shortened(0.5 * step.part),
@@ -347,6 +356,9 @@ fn real_root<T: Scalar>(
                 let fall = greatest(expected) / length;
                 let undamped = correction.iter().map(|entry| (1.0 - part) * entry);
                 if fall < 1.0 - 0.25 * part {
+                    if fall <= CONVERGING {
+                        scaling = Scaling::Kept;
+                    }
                     // If the equations are nearly linear over a step, the next step may be longer.
                     if distance(undamped, expected) <= 0.25 * part * length {
                         limit *= 2.0;
@@ -367,7 +379,18 @@ fn real_root<T: Scalar>(
                     })
                 }
             }
-            _ => Verdict::Accepted,
+            Some(step) => {
+                if step.is_last {
+                    corrected(factors, rows, next_residuals, correction);
+                    if greatest(correction) <= QUADRATIC * step.length {
+                        moved(trial, correction, 1.0, units, unknowns);
+                        return Ok(());
+                    }
+                }
+                scaling = Scaling::Kept;
+                Verdict::Accepted
+            }
+            None => Verdict::Accepted,
         };
         let mut ended = None;
         match (verdict, &mut step) {
@@ -376,7 +399,7 @@ fn real_root<T: Scalar>(
                 if trials == TRIALS {
                     break;
                 }
-                (step.part, step.is_tested) = (part, true);
+                (step.part, step.is_tested, step.is_last) = (part, true, false);
                 moved(unknowns, correction, part, units, trial);
                 continue;
             }
@@ -392,10 +415,11 @@ fn real_root<T: Scalar>(
                 residuals.copy_from_slice(next_residuals);
             }
         }
-        jacobian.copy_from_slice(next_jacobian);
-
-        factors.copy_from_slice(jacobian);
-        let elimination = factor_to(factors, rows, T::EPSILON)?;
+        // in one loop, so that a compiler keeps the entries in registers
+        for ((entry, factor), next) in jacobian.iter_mut().zip(&mut *factors).zip(&*next_jacobian) {
+            (*entry, *factor) = (*next, *next);
+        }
+        let elimination = factor_to(factors, rows, T::EPSILON, scaling)?;
         let determinant = Determinant::of(factors, rows, elimination.is_odd);
         if ended.is_some() {
             return distinct(ended, determinant);
@@ -410,7 +434,9 @@ fn real_root<T: Scalar>(
             Some(step) if step.part == 1.0 => length / step.length,
             _ => f64::INFINITY,
         };
-        let is_foretold = contraction <= QUADRATIC && contraction * contraction * length <= NEGLIGIBLE * T::EPSILON;
+        let is_quadratic = contraction <= QUADRATIC;
+        let next_length = contraction * contraction * length;
+        let is_foretold = is_quadratic && next_length <= NEGLIGIBLE * T::EPSILON;
         let is_lost = is_lost::<T>(correction, unknowns, units);
         if is_lost || is_foretold {
             moved(unknowns, correction, 1.0, units, trial);
@@ -449,6 +475,8 @@ fn real_root<T: Scalar>(
             part,
             determinant,
             is_tested: !is_converging,
+            // twice the square of the contraction is the measure h of this step
+            is_last: is_quadratic && 2.0 * contraction * contraction * next_length <= NEGLIGIBLE * T::EPSILON,
         });
     }
     Err(Failure::NotConverged {
@@ -697,6 +725,39 @@ mod tests {
         })
         .unwrap();
         assert!(calls.get() <= 4, "{}", calls.get());
+    }
+
+    /// The last correction does without the Jacobian there.
+    #[test]
+    fn the_last_correction_is_a_simplified_one() {
+        let expected = closed_form(GRASHOF, 1.0, Assembly::Open).unwrap();
+        let calls = Cell::new(0);
+        let mut system = four_bar(GRASHOF, 1.0);
+        let root = newton(expected.map(|angle| angle + 0.05), [1.0; 2], |unknowns| {
+            calls.set(calls.get() + 1);
+            let (residuals, jacobian) = system(unknowns);
+            (residuals, if calls.get() == 4 { [[0.0_f64; 2]; 2] } else { jacobian })
+        })
+        .unwrap();
+        assert_eq!(calls.get(), 4);
+        for (actual, expected) in root.into_iter().zip(expected) {
+            assert!((actual - expected).abs() <= 8.0 * f64::EPSILON, "{actual} {expected}");
+        }
+    }
+
+    /// An equation that is not what its first corrections foretell: the simplified correction is not small enough.
+    #[test]
+    fn a_correction_that_is_not_as_foretold_is_not_the_last() {
+        let calls = Cell::new(0);
+        let root = newton([1.02], [1.0], |[x]: [f64; 1]| {
+            calls.set(calls.get() + 1);
+            // a step near the root of x² = 1, which the first three corrections do not meet
+            let step = if calls.get() > 3 { 1e-4 } else { 0.0 };
+            ([x * x - 1.0 - step], [[2.0 * x]])
+        })
+        .unwrap();
+        assert!(calls.get() > 4, "{}", calls.get());
+        assert!((root[0] - 1.0001_f64.sqrt()).abs() <= 2.0 * f64::EPSILON, "{root:?}");
     }
 
     #[test]

@@ -8,8 +8,8 @@ use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{
-    CONVERGING, Determinant, Equations, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC, corrected,
-    factor_in, larger,
+    CONVERGING, Determinant, Equations, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC, Scaling,
+    corrected, factor_to, larger,
 };
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
@@ -27,23 +27,44 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
     mut equations: impl Equations<Lanes<W, BITS, E>>,
 ) -> Result<(), Failure> {
     let [residuals, correction, root] = memory.vectors;
-    let (factors, rows) = (memory.matrix, memory.rows);
+    let [jacobian, factors] = memory.matrices;
+    let rows = memory.rows;
     let one = Lanes::constant(1.0);
     root.fill(Lanes([E::nan(); W]));
     // one in the lanes that have not ended, and zero in the others
     let mut pending = one;
     // the length of the step before, and the determinant where it began
     let mut previous: Option<(Lanes<W, BITS, E>, Determinant<Lanes<W, BITS, E>>)> = None;
+    let mut is_last = false;
     for _ in 0..ITERATIONS {
         // Called at one site only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
-        equations.evaluate(point, residuals, factors);
-        for row in factors.chunks_exact_mut(sizes.len().max(1)) {
-            for (entry, size) in row.iter_mut().zip(sizes) {
-                *entry = *entry * *size;
+        equations.evaluate(point, residuals, jacobian);
+        if let (true, Some((before, _))) = (is_last, previous) {
+            corrected(factors, rows, residuals, correction);
+            let arrives = pending * at_most(largest(correction), before * Lanes::constant(QUADRATIC));
+            pending = pending - arrives;
+            for index in 0..point.len() {
+                let end = point[index] + correction[index] * sizes[index];
+                root[index] = chosen(arrives, end, root[index]);
+            }
+            if !is_any(pending) {
+                break;
             }
         }
-        let elimination = factor_in(factors, rows)?;
+        let count = sizes.len().max(1);
+        for (factors, jacobian) in factors.chunks_exact_mut(count).zip(jacobian.chunks_exact(count)) {
+            for ((factor, entry), size) in factors.iter_mut().zip(jacobian).zip(sizes) {
+                *factor = *entry * *size;
+            }
+        }
+        // no step is longer than half a radian, or half the size of a length
+        let scaling = if previous.is_some() {
+            Scaling::Kept
+        } else {
+            Scaling::New
+        };
+        let elimination = factor_to(factors, rows, E::EPSILON, scaling)?;
         let determinant = Determinant::of(factors, rows, elimination.is_odd);
         corrected(factors, rows, residuals, correction);
         let length = largest(correction);
@@ -54,7 +75,7 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
             let size = sizes[index].with(point[index].map(E::size), larger);
             is_lost = is_lost * at_most(change.map(E::size), size * Lanes::constant(E::EPSILON));
         }
-        let (is_root, is_full) = if let Some((before, last_determinant)) = previous {
+        let (is_root, is_full, ends) = if let Some((before, last_determinant)) = previous {
             let contraction = length / before;
             let next = contraction * contraction * length;
             let is_foretold = at_most(next, Lanes::constant(NEGLIGIBLE * E::EPSILON));
@@ -69,9 +90,14 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
                 let is_distinct = at_most(change.map(E::size), Lanes::constant(LARGEST_CHANGE));
                 is_root = is_root + is_rounding * is_distinct;
             }
-            (is_root, is_full)
+            let error = Lanes::constant(2.0) * contraction * contraction * next;
+            (
+                is_root,
+                is_full,
+                is_quadratic * at_most(error, Lanes::constant(NEGLIGIBLE * E::EPSILON)),
+            )
         } else {
-            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)))
+            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)), one - one)
         };
         let arrives = pending * is_root;
         pending = pending * is_full * (one - is_root);
@@ -85,6 +111,7 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
             break;
         }
         previous = Some((length, determinant));
+        is_last = !is_any(pending * (one - ends));
     }
     point.copy_from_slice(root);
     let missing = root

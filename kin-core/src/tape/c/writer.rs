@@ -405,7 +405,7 @@ impl<'a> CWriter<'a> {
             }
         }
         let call = format!(
-            "kin_factor({}, &factors_{index}, &detail_of_system_{index})",
+            "kin_factor({}, &factors_{index}, 0, &detail_of_system_{index})",
             rows.len()
         );
         // A later order factors the same matrix again, and knows that it is regular.

@@ -57,9 +57,10 @@ static int kin_exponent(int count, const kin_factors *factors)
     return -sum;
 }
 
-/* Replaces a matrix of `count` rows by its triangular factors. If it is singular up to rounding, the determinant is
-   stored in `detail`. */
-static int kin_factor(int count, kin_factors *factors, double *detail)
+/* Replaces a matrix of `count` rows by its triangular factors. It is scaled as that of other factors if there are any,
+   and otherwise so that the largest entry of each row, and then of each column, lies between 2 and 4. If it is singular
+   up to rounding, the determinant is stored in `detail`. */
+static int kin_factor(int count, kin_factors *factors, const kin_factors *scaled, double *detail)
 {
     double largest = 0.0;
     int singular = 0;
@@ -74,7 +75,7 @@ static int kin_factor(int count, kin_factors *factors, double *detail)
             }
             size = entry > size ? entry : size;
         }
-        factors->row_scales[row] = kin_levelling(size);
+        factors->row_scales[row] = scaled ? scaled->row_scales[row] : kin_levelling(size);
         factors->origins[row] = row;
     }
     for (int row = 0; row < count; row++) {
@@ -88,7 +89,7 @@ static int kin_factor(int count, kin_factors *factors, double *detail)
             const double entry = fabs(factors->entries[row][column]);
             size = entry > size ? entry : size;
         }
-        factors->column_scales[column] = kin_levelling(size);
+        factors->column_scales[column] = scaled ? scaled->column_scales[column] : kin_levelling(size);
         for (int row = 0; row < count; row++) {
             factors->entries[row][column] *= factors->column_scales[column];
             if (fabs(factors->entries[row][column]) > largest) {

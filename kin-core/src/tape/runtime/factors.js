@@ -80,43 +80,40 @@ function kinExponent(factors) {
 }
 
 /**
- * The triangular factors of a matrix. Its rows are overwritten.
+ * The triangular factors of a matrix. Its rows are overwritten. It is scaled as that of other factors if there are any,
+ * and otherwise so that the largest entry of each row, and then of each column, lies between 2 and 4.
  * @param {number[][]} rows
+ * @param {KinFactors} [scaled]
  * @returns {KinFactors}
  */
-function kinFactor(rows) {
+function kinFactor(rows, scaled) {
   const count = rows.length;
+  const origins = rows.map((_, row) => row);
   /** @type {KinFactors} */
-  const factors = { rows, origins: [], rowExponents: [], columnExponents: [], odd: false, code: "", detail: 0 };
-  let largest = 0;
-  for (let row = 0; row < count; row++) {
-    let size = 0;
-    for (const entry of rows[row]) {
-      if (!Number.isFinite(entry)) {
-        factors.code = "not finite";
-        return factors;
-      }
-      size = Math.max(size, Math.abs(entry));
-    }
-    factors.rowExponents.push(kinLevelling(size));
-    factors.origins.push(row);
+  const factors = { rows, origins, rowExponents: [], columnExponents: [], odd: false, code: "", detail: 0 };
+  if (!rows.every((row) => row.every(Number.isFinite))) {
+    factors.code = "not finite";
+    return factors;
   }
+  /** @type {(largest: number, entry: number) => number} */
+  const larger = (largest, entry) => Math.max(largest, Math.abs(entry));
   for (let row = 0; row < count; row++) {
-    const power = kinPowerOfTwo(factors.rowExponents[row]);
+    const exponent = scaled ? scaled.rowExponents[row] : kinLevelling(rows[row].reduce(larger, 0));
+    const power = kinPowerOfTwo(exponent);
+    factors.rowExponents.push(exponent);
     for (let column = 0; column < count; column++) {
       rows[row][column] *= power;
     }
   }
+  let largest = 0;
   for (let column = 0; column < count; column++) {
-    let size = 0;
-    for (const row of rows) {
-      size = Math.max(size, Math.abs(row[column]));
-    }
-    factors.columnExponents.push(kinLevelling(size));
-    const power = kinPowerOfTwo(factors.columnExponents[column]);
+    const entries = rows.map((row) => row[column]);
+    const exponent = scaled ? scaled.columnExponents[column] : kinLevelling(entries.reduce(larger, 0));
+    const power = kinPowerOfTwo(exponent);
+    factors.columnExponents.push(exponent);
     for (const row of rows) {
       row[column] *= power;
-      largest = Math.max(largest, Math.abs(row[column]));
+      largest = larger(largest, row[column]);
     }
   }
   let singular = false;

@@ -20,16 +20,19 @@ class _Factors:
     """The triangular factors of square matrices, one for each pose: multipliers below the diagonal, pivots on it, the
     remaining entries to the right. Rows and columns are scaled by powers of two.
 
-    The axes of `entries` are rows, columns and poses. `outcome` is one of the constants above for each pose.
+    The axes of `entries` are rows, columns and poses. Where a mask says so, the matrix is scaled as that of other factors.
+    `outcome` is one of the constants above for each pose.
     """
 
-    def __init__(self, entries: Array) -> None:
+    def __init__(self, entries: Array, scaled: "_Factors | None" = None, kept: Array | bool = False) -> None:
         count, _, poses = entries.shape
         finite = np.all(np.isfinite(entries), axis=(0, 1))
         entries = np.where(finite, entries, np.eye(count)[:, :, None])
         rows = _levelling(np.max(np.abs(entries), axis=1))
+        rows = rows if scaled is None else np.where(kept, scaled.rows, rows)
         entries = np.ldexp(entries, rows[:, None, :])
         columns = _levelling(np.max(np.abs(entries), axis=0))
+        columns = columns if scaled is None else np.where(kept, scaled.columns, columns)
         entries = np.ldexp(entries, columns[None, :, :])
         origins = np.repeat(np.arange(count)[:, None], poses, axis=1)
         largest = np.max(np.abs(entries), axis=(0, 1))

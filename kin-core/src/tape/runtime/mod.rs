@@ -71,7 +71,7 @@ impl RuntimeParts {
 /// includes. With the macro `KIN_PLATFORM_FUNCTIONS` sine, cosine and arctangent are those of `<math.h>`.
 ///
 /// - `kin_sine_cosine(angle, &sine, &cosine)` and `kin_atan2(y, x)`;
-/// - `kin_factor(count, &factors, &detail)` of a matrix in `factors.entries`, and `kin_substitute(count, &factors,
+/// - `kin_factor(count, &factors, scaled, &detail)` of a matrix in `factors.entries`, and `kin_substitute(count, &factors,
 ///   right, solution)`;
 /// - `kin_newton(&block, guess, found, &detail)`.
 ///

@@ -34,14 +34,16 @@ static int kin_evaluate(const kin_block *block, kin_point *point)
     return finite;
 }
 
-static int kin_factor_at(int count, const kin_point *point, kin_factors *factors, double *detail)
+/* The factors of the Jacobian of a point, which is scaled as that of other factors if there are any. */
+static int kin_factor_at(int count, const kin_point *point, const kin_factors *scaled, kin_factors *factors,
+                         double *detail)
 {
     for (int row = 0; row < count; row++) {
         for (int column = 0; column < count; column++) {
             factors->entries[row][column] = point->jacobian[row][column];
         }
     }
-    return kin_factor(count, factors, detail);
+    return kin_factor(count, factors, scaled, detail);
 }
 
 /* The step of Newton's method from these residuals. */
@@ -170,7 +172,7 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
     if (!kin_evaluate(block, &points[0])) {
         return KIN_NOT_FINITE;
     }
-    outcome = kin_factor_at(count, &points[0], &matrices[0], detail);
+    outcome = kin_factor_at(count, &points[0], 0, &matrices[0], detail);
     if (outcome != KIN_FOUND) {
         return outcome;
     }
@@ -182,7 +184,10 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
         double length;
         double contraction = INFINITY;
         double foreseen = 1.0;
+        double next_length;
+        double fall = 0.0;
         int lost = 1;
+        int last;
         int accepted = 0;
 
         kin_correction(count, factors, point->residuals, correction);
@@ -202,7 +207,11 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
         if (iteration > 0 && part >= 1.0) {
             contraction = length / previous;
         }
-        if (contraction <= @QUADRATIC@ && contraction * contraction * length <= @NEGLIGIBLE@ * DBL_EPSILON) {
+        next_length = contraction * contraction * length;
+        /* Whether the next correction may be a simplified one, by these factors, and is the last. */
+        last = contraction <= @QUADRATIC@
+            && 2.0 * contraction * contraction * next_length <= @NEGLIGIBLE@ * DBL_EPSILON;
+        if (contraction <= @QUADRATIC@ && next_length <= @NEGLIGIBLE@ * DBL_EPSILON) {
             /* The next correction would disappear. */
             kin_move(block, point->unknowns, correction, 1.0, next->unknowns);
             return kin_distinct(count, next->unknowns, 0, factors, found, detail);
@@ -227,18 +236,23 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
             double advice = 0.5 * part;
             kin_move(block, point->unknowns, correction, part, next->unknowns);
             if (kin_evaluate(block, next)) {
-                double fall = 0.0;
                 double estimate;
                 /* A correction that has fallen enough shows that the full step is in order. */
                 tested = !(contraction <= @CONVERGING@ && part >= 1.0);
-                if (tested) {
+                fall = 0.0;
+                if (tested || last) {
                     kin_correction(count, factors, next->residuals, expected);
+                }
+                if (tested) {
                     fall = kin_largest(count, expected) / length;
+                } else if (last && kin_largest(count, expected) <= @QUADRATIC@ * length) {
+                    kin_move(block, next->unknowns, expected, 1.0, next->unknowns);
+                    return kin_distinct(count, next->unknowns, 0, factors, found, detail);
                 }
                 if (!tested || fall < 1.0 - 0.25 * part) {
                     accepted = 1;
                 } else if (kin_is_rounding(block, length, point, factors)) {
-                    outcome = kin_factor_at(count, next, other, detail);
+                    outcome = kin_factor_at(count, next, 0, other, detail);
                     if (outcome != KIN_FOUND) {
                         return outcome;
                     }
@@ -266,7 +280,8 @@ static int kin_newton(const kin_block *block, const double *guess, double *found
         }
         previous = length;
         now = 1 - now;
-        outcome = kin_factor_at(count, next, other, detail);
+        /* Scales are kept after a step that has hardly changed the Jacobian. */
+        outcome = kin_factor_at(count, next, fall <= @CONVERGING@ ? factors : 0, other, detail);
         if (outcome != KIN_FOUND) {
             return outcome;
         }

@@ -90,8 +90,8 @@ function kinNewton(guess, sizes, equations) {
     const finite = residuals.every(Number.isFinite) && jacobian.every((row) => row.every(Number.isFinite));
     return finite ? { unknowns, residuals, jacobian } : undefined;
   };
-  /** @type {(point: KinPoint) => KinFactors} */
-  const factorsAt = (point) => kinFactor(point.jacobian.map((row) => row.slice()));
+  /** @type {(point: KinPoint, scaled?: KinFactors) => KinFactors} */
+  const factorsAt = (point, scaled) => kinFactor(point.jacobian.map((row) => row.slice()), scaled);
   /** @type {(from: number[], correction: number[], part: number) => number[]} */
   const moved = (from, correction, part) =>
     from.map((entry, index) => entry + part * correction[index] * sizes[index]);
@@ -124,7 +124,12 @@ function kinNewton(guess, sizes, equations) {
     );
     // How the correction compares with the one before, if that was taken in full.
     const contraction = before?.part === 1 ? length / before.length : Infinity;
-    if (contraction <= @QUADRATIC@ && contraction * contraction * length <= @NEGLIGIBLE@ * Number.EPSILON) {
+    const nextLength = contraction * contraction * length;
+    // Whether the next correction may be a simplified one, by these factors, and is the last.
+    const last =
+      contraction <= @QUADRATIC@ &&
+      2 * contraction * contraction * nextLength <= @NEGLIGIBLE@ * Number.EPSILON;
+    if (contraction <= @QUADRATIC@ && nextLength <= @NEGLIGIBLE@ * Number.EPSILON) {
       // The next correction would disappear.
       return kinDistinct(moved(from.unknowns, correction, 1), undefined, factors);
     }
@@ -148,6 +153,12 @@ function kinNewton(guess, sizes, equations) {
       const next = at(unknowns);
       if (next && converging && part === 1) {
         // A correction that has fallen enough shows that the full step is in order.
+        if (last) {
+          const simplified = corrected(factors, next.residuals);
+          if (kinLargest(simplified) <= @QUADRATIC@ * length) {
+            return kinDistinct(moved(unknowns, simplified, 1), undefined, factors);
+          }
+        }
         accepted = [next, undefined];
         break;
       }
@@ -183,7 +194,8 @@ function kinNewton(guess, sizes, equations) {
     }
     before = { length, part, expected, factors };
     point = next;
-    factors = factorsAt(point);
+    // Scales are kept after a step that has hardly changed the Jacobian.
+    factors = factorsAt(point, expected && !(kinLargest(expected) / length <= @CONVERGING@) ? undefined : factors);
     if (factors.code) {
       return failed(factors.code, factors.detail);
     }

@@ -79,19 +79,20 @@ def _newton(
     search.end(~finite, _NOT_FINITE, 0.0)
     pending = finite & wanted
     previous, before, part, expected = np.zeros(len(pending)), None, np.ones(len(pending)), guess
-    tested = np.ones(len(pending), dtype=bool)
+    tested, kept = np.ones(len(pending), dtype=bool), np.zeros(len(pending), dtype=bool)
     limit = np.full(len(pending), @FIRST_STEP@)
     for iteration in range(@ITERATIONS@ + 1):
         # Poses that have ended are left out.
         search.keep(pending)
         unknowns, residuals, jacobian = unknowns[:, pending], residuals[:, pending], jacobian[:, :, pending]
         previous, part, expected, limit = previous[pending], part[pending], expected[:, pending], limit[pending]
-        tested = tested[pending]
+        tested, kept = tested[pending], kept[pending]
         if before is not None:
             before.keep(pending)
         if len(search.left) == 0:
             break
-        factors = _Factors(jacobian)
+        # Scales are kept after a step that has hardly changed the Jacobian.
+        factors = _Factors(jacobian, before, kept)
         broken = factors.outcome != _FOUND
         search.end(broken, factors.outcome, factors.detail)
         if iteration == @ITERATIONS@:
@@ -109,8 +110,10 @@ def _newton(
         if before is not None:
             contraction = np.where(part == 1.0, length / previous, np.inf)
         # The next correction would disappear.
-        small = contraction * contraction * length <= @NEGLIGIBLE@ * _EPSILON
-        foretold = pending & (contraction <= @QUADRATIC@) & small
+        quadratic, next_length = contraction <= @QUADRATIC@, contraction * contraction * length
+        foretold = pending & quadratic & (next_length <= @NEGLIGIBLE@ * _EPSILON)
+        # Whether the next correction may be a simplified one, by these factors, and is the last.
+        last = quadratic & (2.0 * contraction * contraction * next_length <= @NEGLIGIBLE@ * _EPSILON)
         search.distinct(foretold, unknowns + correction * search.sizes, None, factors)
         pending, lost = pending & ~foretold, lost & ~foretold
         rounding = _is_rounding(length, unknowns, jacobian, search.sizes, factors)
@@ -140,8 +143,12 @@ def _newton(
             fall = _largest(forecast) / length
             # A correction that has fallen enough shows that the full step is in order.
             untested = converging & (part == 1.0)
+            ended = trying & finite & untested & last & (_largest(forecast) <= @QUADRATIC@ * length)
+            search.distinct(ended, trial + forecast * search.sizes, None, factors)
+            trying, pending = trying & ~ended, pending & ~ended
             accepted = trying & finite & (untested | (fall < 1.0 - 0.25 * part))
             tested = np.where(accepted, ~untested, tested)
+            kept = np.where(accepted, untested | (fall <= @CONVERGING@), kept)
             next_unknowns = np.where(accepted, trial, next_unknowns)
             expected = np.where(accepted, forecast, expected)
             next_residuals = np.where(accepted, there_residuals, next_residuals)

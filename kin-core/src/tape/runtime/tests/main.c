@@ -78,7 +78,7 @@ static int matrices(FILE *in, FILE *out)
                 factors.entries[row][column] = given[4 * row + column];
             }
         }
-        const int outcome = kin_factor(4, &factors, found + 1);
+        const int outcome = kin_factor(4, &factors, 0, found + 1);
         found[0] = (double)outcome;
         if (outcome == KIN_FOUND) {
             kin_substitute(4, &factors, given + 16, found + 2);
