@@ -346,6 +346,19 @@ fn real_root<T: Scalar>(
         // Equations are evaluated, and factors are found, at one place each, as there is much to inline.
         equations.evaluate(trial, typed_residuals, typed_jacobian);
         let is_finite = are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian);
+        if let (
+            true,
+            Some(Step {
+                is_last: true, length, ..
+            }),
+        ) = (is_finite, step)
+        {
+            corrected(factors, rows, next_residuals, expected);
+            if greatest(expected) <= QUADRATIC * length {
+                moved(trial, expected, 1.0, units, unknowns);
+                return Ok(());
+            }
+        }
         let mut scaling = Scaling::New;
         let verdict = match step {
             None if !is_finite => return Err(Failure::not_finite(QUANTITY)),
@@ -379,14 +392,7 @@ fn real_root<T: Scalar>(
                     })
                 }
             }
-            Some(step) => {
-                if step.is_last {
-                    corrected(factors, rows, next_residuals, correction);
-                    if greatest(correction) <= QUADRATIC * step.length {
-                        moved(trial, correction, 1.0, units, unknowns);
-                        return Ok(());
-                    }
-                }
+            Some(_) => {
                 scaling = Scaling::Kept;
                 Verdict::Accepted
             }
