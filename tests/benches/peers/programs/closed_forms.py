@@ -277,9 +277,10 @@ LINKAGES = {
 }
 
 
-def form(linkage, package, symbol):
-    """The symbols of the arguments of a linkage, in the order of kin's, and the expressions of its results."""
+def form(linkage, package, symbol, dimensions=None):
+    """The symbols of the arguments of a linkage, in the order of kin's, and the expressions of its results. Dimensions
+    that are given as constants are no arguments."""
     function, count, inputs = LINKAGES[linkage]
-    dimensions = [symbol(f"d{index}") for index in range(count)]
+    symbols = [] if dimensions else [symbol(f"d{index}") for index in range(count)]
     motions = [[symbol(f"t{number}_{index}") for index in range(length)] for number, length in enumerate(inputs)]
-    return dimensions + sum(motions, []), function(package, dimensions, motions)
+    return symbols + sum(motions, []), function(package, dimensions or symbols, motions)

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use kin_core::Prepared;
 use kin_core::any::{Described as _, Of};
 use kin_core::batch::{AnyBatch as _, Column, ColumnChoice, GivenColumns, Outcome, Slot, Vectors, WantedColumns};
 use kin_core::tape::{self, Options};
@@ -91,29 +92,41 @@ fn contest<M: ThroughSnap>(environment: &Environment, course: &Course<M>) -> Vec
         }
     }
     if !is_long {
+        let prepared = Prepared::of(mechanism);
         race.enter_each("kin.solve", wanted.clone(), |own| own.solve(black_box(&mechanism)));
+        race.enter_each("kin.prepared", wanted.clone(), move |own| {
+            own.solve_prepared(black_box(&prepared))
+        });
         if let Some(native) = &environment.native {
-            let command = &mut Command::new(native);
-            let found = race.enter_program("kin.solve.native", &folder, command.args(["--turns", &course.name()]));
-            assert_close("kin.solve.native", &found, &solved, width);
+            for way in ["solve", "prepared"] {
+                let (name, command) = (format!("kin.{way}.native"), &mut Command::new(native));
+                let found = race.enter_program(&name, &folder, command.args(["--turns", &course.name(), way]));
+                assert_close(&name, &found, &solved, width);
+            }
         }
         for (word, flags) in FLAGS {
             let name = format!("kin.c.{word}");
             let found = written.enter_c(&mut race, &name, &folder, rows.len(), flags);
             assert_equal(&name, &found, &solved);
         }
-        for (package, writer) in [("casadi", "by_casadi.py"), ("sympy", "by_sympy.py")] {
+        for (package, writer, way) in [
+            ("casadi", "by_casadi.py", None),
+            ("casadi", "by_casadi.py", Some("constant")),
+            ("sympy", "by_sympy.py", None),
+        ] {
             if !environment.has(package) || package == "sympy" && !SMALL.contains(linkage) {
                 continue;
             }
-            let file = format!("{package}.c");
+            let contender = [Some(package), way].into_iter().flatten().collect::<Vec<_>>().join(".");
+            let file = format!("{contender}.c");
             run(environment
                 .python()
                 .current_dir(&folder)
                 .arg(Environment::program(writer))
-                .args([linkage, file.as_str()]));
+                .args([linkage, file.as_str()])
+                .args(way));
             for (word, flags) in FREE_FLAGS {
-                let name = format!("{package}.c.{word}");
+                let name = format!("{contender}.c.{word}");
                 build(&folder, &[&file], flags, [rows.len(), rows[0].len(), width], &name);
                 let found = race.enter_program(&name, &folder, &mut Command::new(folder.join(&name)));
                 assert_close(&name, &found, &solved, width);
@@ -208,8 +221,13 @@ fn batch<M: ThroughSnap>(mechanism: M, wanted: &[Wanted<M>], vectors: Vectors) -
 /// The best of kin beside the best of others, in each class of contenders.
 fn standings(course: &str, times: &[(String, f64)]) -> Vec<String> {
     type Class = (&'static str, fn(&str) -> bool);
-    const CLASSES: [Class; 3] = [
-        ("scalar", |name| name.contains(".solve") || name.contains(".c.")),
+    const CLASSES: [Class; 4] = [
+        ("scalar", |name| {
+            name.contains(".solve") || name.contains(".c.") && !name.contains(".constant")
+        }),
+        ("prepared", |name| {
+            name.contains(".prepared") || name.contains(".constant")
+        }),
         ("batch", |name| name.contains(".batch") && !name.contains(".avx2")),
         ("batch.avx2", |name| name.contains(".batch.avx2")),
     ];

@@ -32,9 +32,12 @@ use turns::Turns;
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    if let ["--turns", course, file] = words[..] {
-        let (course, file) = (course.to_owned(), file.to_owned());
-        linkages::visit_all(&mut Turns { course, file });
+    if let ["--turns", course, way, file] = words[..] {
+        linkages::visit_all(&mut Turns {
+            course: course.to_owned(),
+            is_prepared: way == "prepared",
+            file: file.to_owned(),
+        });
         return ExitCode::SUCCESS;
     }
     if words == ["--units"] {

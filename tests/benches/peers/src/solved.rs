@@ -1,6 +1,6 @@
 //! Poses of a mechanism, solved in this process.
 
-use kin_core::Row as _;
+use kin_core::Prepared;
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{Case, Inputs, ThroughSnap};
 use kin_tests::random::Random;
@@ -65,6 +65,14 @@ impl<M: ThroughSnap> Wanted<M> {
         match self.near {
             Some(near) => mechanism.solve_near(self.inputs, near),
             None => mechanism.solve(self.inputs, M::assembly(self.assembly).expect("it is one of them")),
+        }
+    }
+
+    /// Finds it with a mechanism whose dimensions stay. A coupled block has nothing to prepare.
+    pub(crate) fn solve_prepared(&self, prepared: &Prepared<M>) -> Result<M::Pose, SolveError> {
+        match self.near {
+            Some(near) => prepared.mechanism().solve_near(self.inputs, near),
+            None => prepared.solve(self.inputs, M::assembly(self.assembly).expect("it is one of them")),
         }
     }
 

@@ -4,6 +4,7 @@ use core::hint::black_box;
 use std::fs;
 use std::io::BufRead as _;
 
+use kin_core::Prepared;
 use kin_tests::mechanisms::cases::ThroughSnap;
 
 use crate::linkages::{Course, Visitor};
@@ -12,6 +13,8 @@ use crate::race::{solve_each, turn};
 /// Solves the poses of a course, writes what it finds to a file, and solves them again for each line of its input.
 pub(crate) struct Turns {
     pub(crate) course: String,
+    /// Whether the mechanism is prepared.
+    pub(crate) is_prepared: bool,
     pub(crate) file: String,
 }
 
@@ -25,11 +28,14 @@ impl Visitor for Turns {
         let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
         fs::write(&self.file, bytes).expect("cargo's folder can be written");
         println!("ready");
+        let prepared = Prepared::of(mechanism);
         for _ in std::io::stdin().lock().lines() {
-            println!(
-                "{}",
+            let time = if self.is_prepared {
+                turn(|| solve_each(&wanted, |own| own.solve_prepared(black_box(&prepared))))
+            } else {
                 turn(|| solve_each(&wanted, |own| own.solve(black_box(&mechanism))))
-            );
+            };
+            println!("{time}");
         }
     }
 }
