@@ -1,8 +1,12 @@
 //! Lines as binary operations.
+//!
+//! The terms of a sum, and the factors of a product, are combined in the order in which they are known: first those that
+//! depend on the parameters alone, last the one that waits for the longest chain of operations. A processor then works on
+//! the first ones while it waits, and a batch calculates those of the parameters once.
 
 use super::lines::{Line, LineId, Lines};
-use crate::algebra::{FiniteNumber, Function, HashMap, Index, IndexTable, Symbol};
-use crate::program::Cost;
+use crate::algebra::{FiniteNumber, Function, HashMap, Index, IndexTable, Node, Symbol};
+use crate::program::{Cost, Step};
 
 /// The index of an operation; operands have lower indices.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -55,10 +59,24 @@ impl Operation {
     }
 }
 
+/// When a value is known, in cycles of a processor, as they are typical (A. Fog, "Instruction tables", Technical
+/// University of Denmark). Parameters are known first, numbers with them.
+type Time = u32;
+
+/// The time at which inputs, their rates and guesses of unknowns are known.
+const START: Time = 1 << 20;
+
+/// The time that the result of a step takes, from its last argument on: a closed form, an arctangent or a linear system.
+const STEP: Time = 60;
+
 /// All operations of a program.
 #[derive(Default)]
 pub(super) struct OperationList {
     pub(super) list: Vec<Operation>,
+    /// When the value of each operation is known.
+    times: Vec<Time>,
+    /// When the results of steps are known.
+    symbols: HashMap<Symbol, Time>,
     known: HashMap<Operation, OperationId>,
     by_line: IndexTable<LineId, OperationId>,
 }
@@ -73,9 +91,38 @@ impl OperationList {
             return value;
         }
         let value = OperationId(self.list.len());
+        self.times.push(self.time_of(&operation));
         self.list.push(operation.clone());
         self.known.insert(operation, value);
         value
+    }
+
+    /// When the value of an operation with known operands is known.
+    fn time_of(&self, operation: &Operation) -> Time {
+        let operands = operation.operands().iter().map(|operand| self.times[operand.0]);
+        let last = operands.max().unwrap_or_default();
+        last + match operation {
+            Operation::Number(_) | Operation::Pi => 0,
+            Operation::Leaf(Symbol::Parameter(_)) => 0,
+            Operation::Leaf(symbol) => self.symbols.get(symbol).copied().unwrap_or(START),
+            Operation::Negate(_) => 1,
+            Operation::Add(_) | Operation::Subtract(_) | Operation::Multiply(_) => 4,
+            Operation::Divide(_) => 13,
+            Operation::Call(..) => 40,
+        }
+    }
+
+    /// Lowers the expressions of a step, and notes when its results are known.
+    pub(super) fn lower_step(&mut self, lines: &Lines, step: &Step<Node>) {
+        let mut last = 0;
+        for node in step.needs() {
+            let value = self.lower(lines, lines.of_node(node));
+            last = last.max(self.times[value.0]);
+        }
+        let takes = if matches!(step, Step::Define { .. }) { 0 } else { STEP };
+        for symbol in step.defines() {
+            self.symbols.insert(symbol, last + takes);
+        }
     }
 
     /// The index of an operation, if the program contains it.
@@ -108,9 +155,10 @@ impl OperationList {
                 self.intern(Operation::Call(function, arguments))
             }
             Line::Product(factors) => {
+                let mut factors: Vec<_> = factors.into_iter().map(|factor| self.lower(lines, factor)).collect();
+                factors.sort_by_key(|factor| self.times[factor.0]);
                 let mut product = None;
                 for factor in factors {
-                    let factor = self.lower(lines, factor);
                     product = Some(match product {
                         None => factor,
                         Some(before) => self.intern(Operation::Multiply([before, factor])),
@@ -119,32 +167,28 @@ impl OperationList {
                 product.expect("products have factors")
             }
             Line::Sum(terms) => {
-                let (positive, negative): (Vec<_>, Vec<_>) = terms.into_iter().partition(|&(negative, _)| !negative);
+                let mut terms: Vec<_> = terms
+                    .into_iter()
+                    .map(|(is_negative, term)| (is_negative, self.lower(lines, term)))
+                    .collect();
+                terms.sort_by_key(|(_, term)| self.times[term.0]);
+                // a positive term is first, if there is one: a sum of negative terms takes a change of sign
+                let first = terms.iter().position(|(is_negative, _)| !is_negative);
+                terms[..=first.unwrap_or_default()].rotate_right(1);
+                let is_opposite = first.is_none();
                 let mut sum = None;
-                for (_, term) in positive {
-                    let term = self.lower(lines, term);
+                for (is_negative, term) in terms {
                     sum = Some(match sum {
                         None => term,
-                        Some(before) => self.intern(Operation::Add([before, term])),
+                        Some(before) if is_negative == is_opposite => self.intern(Operation::Add([before, term])),
+                        Some(before) => self.intern(Operation::Subtract([before, term])),
                     });
                 }
-                let mut opposite = None;
-                for (_, term) in negative {
-                    let term = self.lower(lines, term);
-                    match sum {
-                        Some(before) => sum = Some(self.intern(Operation::Subtract([before, term]))),
-                        None => {
-                            opposite = Some(match opposite {
-                                None => term,
-                                Some(before) => self.intern(Operation::Add([before, term])),
-                            });
-                        }
-                    }
-                }
-                match (sum, opposite) {
-                    (Some(sum), _) => sum,
-                    (None, Some(opposite)) => self.intern(Operation::Negate([opposite])),
-                    (None, None) => unreachable!("sums have terms"),
+                let sum = sum.expect("sums have terms");
+                if is_opposite {
+                    self.intern(Operation::Negate([sum]))
+                } else {
+                    sum
                 }
             }
         };

@@ -130,9 +130,8 @@ pub(crate) fn schedule_on_trial(
     lines.extend(graph, &reachable);
     share::share(&mut lines);
     let mut operations = OperationList::default();
-    for &root in &roots {
-        let line = lines.of_node(root);
-        operations.lower(&lines, line);
+    for step in program.stages.iter().flat_map(|stage| &stage.steps) {
+        operations.lower_step(&lines, step);
     }
     let hints = hints
         .iter()

@@ -48,8 +48,8 @@ pub(crate) const NEGLIGIBLE: f64 = 0.0625;
 /// After a correction of at most half of the one before, the next step is a full one without this test: the measure h
 /// of the same section is then at most 1. Once corrections fall to an eighth, each is about a constant times the square
 /// of the one before. So the iteration ends with the correction after which the next one would disappear. The last
-/// correction is a simplified one, by the factors of the Jacobian before, where these are as good: over a step h changes
-/// the Jacobian by a part of about h.
+/// correction is a simplified one, by the factors of the Jacobian before, where these are as good: a step changes the
+/// Jacobian by a part of about h.
 ///
 /// The rows and columns of a Jacobian are scaled anew after a step that may have changed it much. After another step
 /// they keep their scales.

@@ -71,8 +71,8 @@ impl RuntimeParts {
 /// includes. With the macro `KIN_PLATFORM_FUNCTIONS` sine, cosine and arctangent are those of `<math.h>`.
 ///
 /// - `kin_sine_cosine(angle, &sine, &cosine)` and `kin_atan2(y, x)`;
-/// - `kin_factor(count, &factors, scaled, &detail)` of a matrix in `factors.entries`, and `kin_substitute(count, &factors,
-///   right, solution)`;
+/// - `kin_factor(count, &factors, scaled, &detail)` of a matrix in `factors.entries`, scaled as another one if `scaled`
+///   is not null, and `kin_substitute(count, &factors, right, solution)`;
 /// - `kin_newton(&block, guess, found, &detail)`.
 ///
 /// The outcomes are `KIN_FOUND`, which is zero, `KIN_NOT_CONVERGED`, `KIN_SINGULAR` and `KIN_NOT_FINITE`. Arrays of
