@@ -59,8 +59,8 @@ impl Operation {
     }
 }
 
-/// When a value is known, in cycles of a processor, as they are typical (A. Fog, "Instruction tables", Technical
-/// University of Denmark). Parameters are known first, numbers with them.
+/// When a value is known, in typical cycles of a processor (A. Fog, "Instruction tables", Technical University of
+/// Denmark). Numbers and parameters are known first.
 type Time = u32;
 
 /// The time at which inputs, their rates and guesses of unknowns are known.
@@ -102,8 +102,7 @@ impl OperationList {
         let operands = operation.operands().iter().map(|operand| self.times[operand.0]);
         let last = operands.max().unwrap_or_default();
         last + match operation {
-            Operation::Number(_) | Operation::Pi => 0,
-            Operation::Leaf(Symbol::Parameter(_)) => 0,
+            Operation::Number(_) | Operation::Pi | Operation::Leaf(Symbol::Parameter(_)) => 0,
             Operation::Leaf(symbol) => self.symbols.get(symbol).copied().unwrap_or(START),
             Operation::Negate(_) => 1,
             Operation::Add(_) | Operation::Subtract(_) | Operation::Multiply(_) => 4,
@@ -194,5 +193,75 @@ impl OperationList {
         };
         self.by_line.insert(line, value);
         value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::Graph;
+    use crate::passes::Passes;
+    use crate::schedule::style::Style;
+
+    /// The terms of a sum from the first to the last, and whether they are subtracted.
+    fn terms(operations: &OperationList, sum: OperationId) -> Vec<(bool, OperationId)> {
+        let (rest, is_negative, last) = match *operations.operation(sum) {
+            Operation::Add([rest, last]) => (rest, false, last),
+            Operation::Subtract([rest, last]) => (rest, true, last),
+            _ => return vec![(false, sum)],
+        };
+        let mut all = terms(operations, rest);
+        all.push((is_negative, last));
+        all
+    }
+
+    #[test]
+    fn in_the_order_in_which_they_are_known() {
+        let mut lines = Lines::new(&Graph::default(), &[], Style::plain(Passes::ALL));
+        let symbols = [
+            Symbol::UnknownRate(0, 1),
+            Symbol::InputRate(0, 1),
+            Symbol::Unknown(0),
+            Symbol::Parameter(0),
+        ];
+        let [rate, input, unknown, parameter] = symbols.map(|symbol| lines.intern(Line::Leaf(symbol)));
+        let product = lines.intern(Line::Product(vec![rate, unknown, parameter]));
+        let all = [
+            (false, product),
+            (true, parameter),
+            (false, rate),
+            (true, input),
+            (false, unknown),
+        ];
+        let sum = lines.intern(Line::Sum(all.to_vec()));
+        let negative = lines.intern(Line::Sum(vec![(true, rate), (true, input)]));
+
+        let mut operations = OperationList::default();
+        operations
+            .symbols
+            .extend([(symbols[2], START + 60), (symbols[0], START + 100)]);
+        let sum = operations.lower(&lines, sum);
+        let lowered = |operations: &mut OperationList, line| operations.lower(&lines, line);
+        let [product, rate, input, unknown, parameter] =
+            [product, rate, input, unknown, parameter].map(|line| lowered(&mut operations, line));
+        // a positive term is the first one
+        let expected = [
+            (false, unknown),
+            (true, parameter),
+            (true, input),
+            (false, rate),
+            (false, product),
+        ];
+        assert_eq!(terms(&operations, sum), expected);
+        let Operation::Multiply([before, last]) = *operations.operation(product) else {
+            panic!("it is a product");
+        };
+        assert_eq!(last, rate);
+        assert_eq!(*operations.operation(before), Operation::Multiply([parameter, unknown]));
+        let negative = operations.lower(&lines, negative);
+        let Operation::Negate([opposite]) = *operations.operation(negative) else {
+            panic!("both are subtracted");
+        };
+        assert_eq!(*operations.operation(opposite), Operation::Add([input, rate]));
     }
 }
