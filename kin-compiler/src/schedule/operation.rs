@@ -1,8 +1,9 @@
 //! Lines as binary operations.
 //!
-//! The terms of a sum, and the factors of a product, are combined in the order in which they are known: first those that
-//! depend on the parameters alone, last the one that waits for the longest chain of operations. A processor then works on
-//! the first ones while it waits, and a batch calculates those of the parameters once.
+//! The terms of a sum are combined in the order in which they are known: first those that depend on the parameters alone,
+//! last the one that waits for the longest chain of operations. A processor then works on the first ones while it waits.
+//! The factors of a product that depend on the parameters alone are multiplied first, so that a batch does it once. The
+//! other factors keep their order: more of them in the order of time would take more registers.
 
 use super::lines::{Line, LineId, Lines};
 use crate::algebra::{FiniteNumber, Function, HashMap, Index, IndexTable, Node, Symbol};
@@ -111,6 +112,11 @@ impl OperationList {
         }
     }
 
+    /// Whether a value depends on more than the parameters.
+    fn is_changing(&self, value: OperationId) -> bool {
+        self.times[value.0] >= START
+    }
+
     /// Lowers the expressions of a step, and notes when its results are known.
     pub(super) fn lower_step(&mut self, lines: &Lines, step: &Step<Node>) {
         let mut last = 0;
@@ -155,7 +161,7 @@ impl OperationList {
             }
             Line::Product(factors) => {
                 let mut factors: Vec<_> = factors.into_iter().map(|factor| self.lower(lines, factor)).collect();
-                factors.sort_by_key(|factor| self.times[factor.0]);
+                factors.sort_by_key(|factor| self.is_changing(*factor));
                 let mut product = None;
                 for factor in factors {
                     product = Some(match product {
@@ -256,8 +262,8 @@ mod tests {
         let Operation::Multiply([before, last]) = *operations.operation(product) else {
             panic!("it is a product");
         };
-        assert_eq!(last, rate);
-        assert_eq!(*operations.operation(before), Operation::Multiply([parameter, unknown]));
+        assert_eq!(last, unknown);
+        assert_eq!(*operations.operation(before), Operation::Multiply([parameter, rate]));
         let negative = operations.lower(&lines, negative);
         let Operation::Negate([opposite]) = *operations.operation(negative) else {
             panic!("both are subtracted");
