@@ -118,7 +118,8 @@ fn contest<M: ThroughSnap>(environment: &Environment, course: &Course<M>) -> Vec
                 continue;
             }
             let contender = [Some(package), way].into_iter().flatten().collect::<Vec<_>>().join(".");
-            let file = format!("{contender}.c");
+            // CasADi makes a name of C of it
+            let file = format!("{}.c", contender.replace('.', "_"));
             run(environment
                 .python()
                 .current_dir(&folder)
