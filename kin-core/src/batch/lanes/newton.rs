@@ -75,7 +75,9 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
             let size = sizes[index].with(point[index].map(E::size), larger);
             is_lost = is_lost * at_most(change.map(E::size), size * Lanes::constant(E::EPSILON));
         }
-        let (is_root, is_full, ends) = if let Some((before, last_determinant)) = previous {
+        // where the next correction may be a simplified one, and is the last
+        let mut ends = Lanes::constant(0.0);
+        let (is_root, is_full) = if let Some((before, last_determinant)) = previous {
             let contraction = length / before;
             let next = contraction * contraction * length;
             let is_foretold = at_most(next, Lanes::constant(NEGLIGIBLE * E::EPSILON));
@@ -91,13 +93,10 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
                 is_root = is_root + is_rounding * is_distinct;
             }
             let error = Lanes::constant(2.0) * contraction * contraction * next;
-            (
-                is_root,
-                is_full,
-                is_quadratic * at_most(error, Lanes::constant(NEGLIGIBLE * E::EPSILON)),
-            )
+            ends = is_quadratic * at_most(error, Lanes::constant(NEGLIGIBLE * E::EPSILON));
+            (is_root, is_full)
         } else {
-            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)), one - one)
+            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)))
         };
         let arrives = pending * is_root;
         pending = pending * is_full * (one - is_root);
