@@ -1,9 +1,9 @@
 //! Lines as binary operations.
 //!
-//! The terms of a sum are combined in the order in which they are known: first those that depend on the parameters alone,
-//! last the one that waits for the longest chain of operations. A processor then works on the first ones while it waits.
-//! The factors of a product that depend on the parameters alone are multiplied first, so that a batch does it once. The
-//! other factors keep their order: more of them in the order of time would take more registers.
+//! The terms of a sum are combined in the order in which they are known: first those that depend on the parameters
+//! alone, last the one that waits for the longest chain of operations. A processor then works on the first ones while
+//! it waits. The factors of a product that depend on the parameters alone are multiplied first, so that a batch does it
+//! once. The other factors keep their order: more of them in the order of time would take more registers.
 
 use super::lines::{Line, LineId, Lines};
 use crate::algebra::{FiniteNumber, Function, HashMap, Index, IndexTable, Node, Symbol};
@@ -67,7 +67,7 @@ type Time = u32;
 /// The time at which inputs, their rates and guesses of unknowns are known.
 const START: Time = 1 << 20;
 
-/// The time that the result of a step takes, from its last argument on: a closed form, an arctangent or a linear system.
+/// The time of a step from its last argument on: a closed form, an arctangent or a linear system.
 const STEP: Time = 60;
 
 /// All operations of a program.
