@@ -346,15 +346,12 @@ fn real_root<T: Scalar>(
         // Equations are evaluated, and factors are found, at one place each, as there is much to inline.
         equations.evaluate(trial, typed_residuals, typed_jacobian);
         let is_finite = are_real([typed_residuals, typed_jacobian], units, next_residuals, next_jacobian);
-        if let (
-            true,
-            Some(Step {
-                is_last: true, length, ..
-            }),
-        ) = (is_finite, step)
+        if let Some(step) = step
+            && step.is_last
+            && is_finite
         {
             corrected(factors, rows, next_residuals, expected);
-            if greatest(expected) <= QUADRATIC * length {
+            if greatest(expected) <= QUADRATIC * step.length {
                 moved(trial, expected, 1.0, units, unknowns);
                 return Ok(());
             }
