@@ -120,6 +120,52 @@ fn failures_of_a_long_batch() {
     }
 }
 
+/// Chunks of long columns start at cache lines, so they depend on where the columns start. The numbers do not.
+#[test]
+fn it_does_not_matter_where_columns_start() {
+    const LONG: usize = 32 * 16 + POSES;
+    let [angles, couplers] = inputs(LONG);
+    let parameters = [
+        Column::Same(90.0),
+        Column::Same(30.0),
+        Column::Each(&couplers),
+        Column::Same(45.0),
+    ];
+    let mut theta2 = Motion::new([1.0, -1.0, 0.5, 0.0, 0.2]).map(Column::Same);
+    theta2[0] = Column::Each(&angles);
+    let stride = LONG.next_multiple_of(8) + 16;
+    let mut memory = vec![0.0; 20 * stride];
+    let line = memory.as_ptr().align_offset(64);
+    for vectors in vectors() {
+        let mut expected = None;
+        for shift in 0..8 {
+            let mut columns = memory
+                .chunks_exact_mut(stride)
+                .map(|column| &mut column[line + shift..][..LONG]);
+            let mut poses = FourBarBatch::filled(|| columns.next().unwrap());
+            let mut outcomes = vec![Outcome::Unsolved; LONG];
+            let summary = Batch::<FourBar, _>::new(parameters, [theta2], Assembly::Open)
+                .vectors(vectors)
+                .solve(&mut poses, &mut outcomes)
+                .unwrap();
+            let unknowns = poses.theta3.as_ref().iter().chain(poses.theta4.as_ref());
+            let bits: Vec<u64> = unknowns
+                .flat_map(|column| column.iter().map(|value| value.to_bits()))
+                .collect();
+            assert_eq!(
+                summary.solved,
+                outcomes.iter().filter(|outcome| outcome.is_solved()).count()
+            );
+            assert_eq!(summary.failed, LONG - summary.solved);
+            let found = (summary.solved, outcomes, bits);
+            assert!(
+                expected.get_or_insert_with(|| found.clone()) == &found,
+                "{vectors:?}, {shift}"
+            );
+        }
+    }
+}
+
 /// More poses than one core gets at once. After the full pieces, fewer poses are left than there are lanes.
 #[cfg(feature = "rayon")]
 #[test]
