@@ -205,10 +205,13 @@ fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], colu
     // The compiler knows that adding a negative zero changes nothing.
     let mut sum = V::constant(-0.0);
     for (motion, columns) in motions.iter().zip(columns) {
+        // a chain for each motion, since a single one would be longer than the calculation of the next chunk can hide
+        let mut own = V::constant(-0.0);
         for order in 0..R::LENGTH {
-            sum = sum + motion[order];
+            own = own + motion[order];
             motion[order].store(columns[order], start);
         }
+        sum = sum + own;
     }
     sum
 }

@@ -429,7 +429,10 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                 gather_all(&mut motions, inputs.as_ref(), start);
                 destination.store_inputs(start, motions.as_ref());
             }
-            gather(&mut dimensions, parameters.as_ref(), start);
+            // those of the chunk before are still there if they are the same for all poses
+            if !is_prepared {
+                gather(&mut dimensions, parameters.as_ref(), start);
+            }
             if G::IS_NEAR {
                 gather(&mut guess, near.as_ref(), start);
             }
