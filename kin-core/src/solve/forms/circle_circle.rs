@@ -48,7 +48,7 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let d2 = c.norm_squared();
     let sum = a + b;
     let difference = a - b;
-    let twice_p = d2 + sum * difference;
+    let twice_p = d2.plus_product(sum, difference);
     // The product stays the same if one length is negative, because sum and difference are then exchanged.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
     // One of the two squares belongs to the sum of both lengths, whatever their signs.
@@ -206,7 +206,7 @@ fn shortfall<T: Scalar>(lengths: [T; 2], d: T) -> [T; 2] {
 /// The vector `c (p + i q)`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn beside<T: Scalar>(c: Plane<T>, p: T, q: T) -> Plane<T> {
-    Plane::new(c.x * p - c.y * q, c.y * p + c.x * q)
+    Plane::new((c.x * p).minus_product(c.y, q), (c.y * p).plus_product(c.x, q))
 }
 
 #[cold]

@@ -59,7 +59,7 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -
     };
     let inverse = T::constant(1.0) / rho2;
     let (cosine, sine) = (c * inverse, root.value * inverse);
-    let u = Plane::new(a * cosine - b * sine, b * cosine + a * sine);
+    let u = Plane::new((a * cosine).minus_product(b, sine), (b * cosine).plus_product(a, sine));
     Ok((u, root))
 }
 

@@ -77,7 +77,10 @@ pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly
     let inverse = T::constant(1.0) / d2;
     let cosine = along * inverse;
     let sine = offset.y * inverse;
-    let u = Plane::new(c.x * cosine + c.y * sine, c.y * cosine - c.x * sine);
+    let u = Plane::new(
+        (c.x * cosine).plus_product(c.y, sine),
+        (c.y * cosine).minus_product(c.x, sine),
+    );
     Ok((along - offset.x, u))
 }
 
