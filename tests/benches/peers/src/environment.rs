@@ -64,6 +64,8 @@ impl Environment {
     pub(crate) fn python(&self) -> Command {
         let mut command = Command::new(&self.python);
         command.env("PYTHONDONTWRITEBYTECODE", "1").env("PYTHONPATH", ".");
+        // NumPy asks for huge pages, and nobody asks for those of kin's columns
+        command.env("NUMPY_MADVISE_HUGEPAGE", "0");
         command
     }
 
