@@ -24,6 +24,12 @@ pub(super) type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 /// The column of one number of each pose of a mechanism, as lanes store it.
 type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>;
 
+/// The number of chunks from which a column is long: one more of them costs at most this part.
+const LONG: usize = 32;
+
+/// The bytes in a cache line.
+const LINE: usize = 64;
+
 /// The columns of all numbers: a `C` for each.
 pub(super) struct Destination<M: Mechanism, C: Copy> {
     inputs: InputColumns<M, C>,
@@ -133,11 +139,23 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
         })
     }
 
-    /// Where the second chunk of `W` poses starts, as [`second_chunk`] finds it.
+    /// The pose at which the second chunk of `W` poses starts, if the numbers of a pose do not depend on those beside
+    /// it.
+    ///
+    /// It lies at the start of a cache line in the first column that is wanted. Vectors have pages of their own if they
+    /// are long, and start at the same place of a page. So most chunks are whole lines of all columns then. If they
+    /// were parts of two lines each, both would compete with those of all other columns for the same few places of the
+    /// cache: a four-bar linkage takes a third longer. The second chunk overlaps the first one for this, which pays in
+    /// columns of many chunks.
     pub(super) fn second_chunk<const W: usize>(&self) -> usize {
         let (unknowns, outputs) = (self.unknowns.as_ref(), self.outputs.as_ref());
         let columns = unknowns.iter().flat_map(AsRef::as_ref);
-        second_chunk::<W, _>(columns.chain(outputs.iter().flat_map(AsRef::as_ref)).copied())
+        let mut columns = columns.chain(outputs.iter().flat_map(AsRef::as_ref));
+        let column = columns.find(|column| column.len() >= LONG * W);
+        match column.map_or(0, |column| column.as_ptr().align_offset(LINE) % W) {
+            0 => W,
+            second => second,
+        }
     }
 
     /// Whether the motion of an input is wanted.
@@ -178,27 +196,6 @@ impl<M: Mechanism<Scalar: Element>, const W: usize> Destination<M, ViewOf<'_, M,
         }
     }
 }
-
-/// The pose at which the second chunk of `W` poses starts, if the numbers of a pose do not depend on those beside it.
-///
-/// It lies at the start of a cache line in the first column that is wanted. Vectors have their own pages if they are
-/// long, and they start at the same place of a page. So most chunks are whole lines of all columns then. If they were
-/// parts of two lines each, both would compete with those of all other columns for the same few places of the cache:
-/// a four-bar linkage takes a third longer. The second chunk overlaps the first one for this, which pays in columns of
-/// many chunks.
-fn second_chunk<'t, const W: usize, E: Element>(mut columns: impl Iterator<Item = Entries<'t, E>>) -> usize {
-    let column = columns.find(|column| column.len() >= LONG * W);
-    match column.map_or(0, |column| column.as_ptr().align_offset(LINE) % W) {
-        0 => W,
-        second => second,
-    }
-}
-
-/// The number of chunks from which a column is long: one more of them costs at most this part.
-const LONG: usize = 32;
-
-/// The bytes in a cache line.
-const LINE: usize = 64;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], columns: &[impl Row<C>]) -> V {

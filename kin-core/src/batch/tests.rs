@@ -32,6 +32,24 @@ fn inputs(count: usize) -> [Vec<f64>; 2] {
     ]
 }
 
+/// The parameters and the input of four-bar linkages, by their [columns](inputs).
+fn given([angles, couplers]: &[Vec<f64>; 2]) -> ([Column<'_>; 4], Motion<Column<'_>, 5>) {
+    let parameters = [
+        Column::Same(90.0),
+        Column::Same(30.0),
+        Column::Each(couplers),
+        Column::Same(45.0),
+    ];
+    let theta2 = [
+        Column::Each(angles),
+        Column::Same(-1.0),
+        Column::Same(0.5),
+        Column::Same(0.0),
+        Column::Same(0.2),
+    ];
+    (parameters, Motion::new(theta2))
+}
+
 /// The tolerance is ε times the condition of the poses above, with some room.
 fn agree(found: f64, expected: f64) -> bool {
     (found - expected).abs() <= 1e-11 * expected.abs().max(1.0) || (found.is_nan() && expected.is_nan())
@@ -41,24 +59,13 @@ fn agree(found: f64, expected: f64) -> bool {
 fn four_bars_of_as_many_poses_as_you_like() {
     for vectors in vectors() {
         for count in [0, 1, 3, 4, 8, 16, 17, POSES] {
-            let [angles, couplers] = inputs(count);
+            let columns = inputs(count);
+            let (parameters, theta2) = given(&columns);
+            let [angles, couplers] = &columns;
             let mut poses = FourBarBatch::filled(|| Some(vec![0.0; count]));
             // A number that is not wanted is left out.
             poses.theta3[2] = None;
             let mut outcomes = vec![Outcome::Unsolved; count];
-            let parameters = [
-                Column::Same(90.0),
-                Column::Same(30.0),
-                Column::Each(&couplers),
-                Column::Same(45.0),
-            ];
-            let theta2 = Motion::new([
-                Column::Each(&angles),
-                Column::Same(-1.0),
-                Column::Same(0.5),
-                Column::Same(0.0),
-                Column::Same(0.2),
-            ]);
             let assembly = Assembly::Open;
             let summary = Batch::<FourBar, _>::new(parameters, [theta2], assembly)
                 .vectors(vectors)
@@ -124,15 +131,8 @@ fn failures_of_a_long_batch() {
 #[test]
 fn it_does_not_matter_where_columns_start() {
     const LONG: usize = 32 * 16 + POSES;
-    let [angles, couplers] = inputs(LONG);
-    let parameters = [
-        Column::Same(90.0),
-        Column::Same(30.0),
-        Column::Each(&couplers),
-        Column::Same(45.0),
-    ];
-    let mut theta2 = Motion::new([1.0, -1.0, 0.5, 0.0, 0.2]).map(Column::Same);
-    theta2[0] = Column::Each(&angles);
+    let columns = inputs(LONG);
+    let (parameters, theta2) = given(&columns);
     let stride = LONG.next_multiple_of(8) + 16;
     let mut memory = vec![0.0; 20 * stride];
     let line = memory.as_ptr().align_offset(64);
@@ -171,15 +171,8 @@ fn it_does_not_matter_where_columns_start() {
 #[test]
 fn all_cores_write_what_one_writes() {
     let count = 3 * 512 + 5;
-    let [angles, couplers] = inputs(count);
-    let parameters = [
-        Column::Same(90.0),
-        Column::Same(30.0),
-        Column::Each(&couplers),
-        Column::Same(45.0),
-    ];
-    let mut theta2 = Motion::new([1.0, -1.0, 0.5, 0.0, 0.2]).map(Column::Same);
-    theta2[0] = Column::Each(&angles);
+    let columns = inputs(count);
+    let (parameters, theta2) = given(&columns);
     let assembly = Assembly::Crossed;
     let results = || {
         (
