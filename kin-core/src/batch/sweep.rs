@@ -414,14 +414,13 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         } else {
             W
         };
-        // the next chunk, and the first pose without an outcome
-        let (mut place, mut next) = (0, 0);
+        // the first pose without an outcome
+        let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
             // The last chunk overlaps the one before it, and the second one may. The overlapped poses are solved twice,
             // with the same result.
-            let start = place.min(count - W);
-            place = if start == 0 { second } else { start + W };
+            let start = if next == W { second } else { next }.min(count - W);
             // The given numbers are gathered where they are needed, and again where they are needed later: if they were
             // kept, those that are found would not fit into the registers. For the same reason all numbers are stored
             // before they are tested.
