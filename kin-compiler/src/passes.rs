@@ -8,10 +8,10 @@
 pub(crate) enum Pass {
     /// Numbers are added and multiplied at compile time, and products with zero are dropped.
     ConstantFolding,
-    /// Equations are multiplied out before they are differentiated, if this is cheaper than the typed form.
+    /// Equations are multiplied out before they are differentiated, if this is cheaper than leaving their products.
     MultipliedOut,
-    /// Equations are differentiated as typed, if this is cheaper than multiplying them out.
-    AsTyped,
+    /// Products of varying expressions are left when equations are differentiated, if this is cheaper.
+    ProductsLeft,
     /// All vectors that rotate with one angle share the P and Q of its rates.
     LinkVectors,
     /// The equations are solved for the whole Q of a rotating link, and the contributions of lower rates are subtracted

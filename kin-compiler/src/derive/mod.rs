@@ -7,6 +7,7 @@ mod influence;
 mod jacobian;
 mod radius;
 mod rates;
+mod scale;
 mod sensitivity;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,8 +19,9 @@ pub(crate) use sensitivity::{Definition, Dependent};
 use influence::FoundCoefficient;
 use jacobian::BlockJacobian;
 use rates::KnownRates;
+use scale::scale_rows;
 
-use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
+use crate::algebra::{Expansion, Graph, LinearParts, Node, Symbol, TrigonometricPolynomial, Variables};
 use crate::passes::Passes;
 use crate::structure::Block;
 use crate::work;
@@ -123,22 +125,28 @@ pub(crate) struct Differentiable {
     pub(crate) is_given_up: bool,
 }
 
-/// Equations and outputs, as typed or multiplied out. In either form, the equations contain no quotient of varying
-/// expressions.
-pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> Differentiable {
+/// Equations and outputs, multiplied out or with their products left. In either form, the equations contain no quotient
+/// of varying expressions.
+pub(crate) fn formulas(
+    graph: &mut Graph,
+    residuals: &[Node],
+    blocks: &[Block],
+    outputs: &[Node],
+    expand: bool,
+) -> Differentiable {
     let mut is_given_up = false;
+    let mut linear_parts = LinearParts::default();
     let mut choose =
         |graph: &mut Graph, typed: Node, multiplied_out: Option<TrigonometricPolynomial>, is_complete: bool| {
-            let Some(polynomial) = multiplied_out else {
-                return typed;
-            };
-            if is_complete && polynomial.0.len() <= TERMS_FOR_EACH_NODE * graph.reachable(&[typed]).len() {
-                return polynomial.node(graph);
+            if let Some(polynomial) = multiplied_out {
+                if is_complete && polynomial.0.len() <= TERMS_FOR_EACH_NODE * graph.reachable(&[typed]).len() {
+                    return polynomial.node(graph);
+                }
+                is_given_up = true;
             }
-            is_given_up = true;
-            typed
+            linear_parts.multiply_out(graph, typed)
         };
-    let residuals = residuals
+    let mut residuals: Vec<Node> = residuals
         .iter()
         .map(|&residual| {
             let mut expansion = Expansion::new(graph, Variables::Position);
@@ -148,13 +156,15 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
             choose(graph, residual, equation, is_complete)
         })
         .collect();
+    scale_rows(graph, &mut residuals, blocks);
     let (outputs, values) = outputs
         .iter()
         .map(|&output| {
             let mut expansion = Expansion::new(graph, Variables::Position);
-            let formula = if expand { expansion.polynomial(output) } else { None };
+            let formula = expansion.polynomial(output);
             let is_complete = expansion.is_complete();
-            let is_linear = formula.as_ref().is_some_and(TrigonometricPolynomial::is_linear);
+            let is_linear = is_complete && formula.as_ref().is_some_and(TrigonometricPolynomial::is_linear);
+            let formula = formula.filter(|_| expand || is_linear);
             let chosen = choose(graph, output, formula, is_complete);
             (chosen, if is_linear { chosen } else { output })
         })
@@ -333,11 +343,11 @@ mod tests {
                 } else {
                     (vec![typed], vec![])
                 };
-                let chosen = formulas(&mut graph, &residuals, &outputs, true);
+                let chosen = formulas(&mut graph, &residuals, &[], &outputs, true);
                 let node = chosen.residuals.iter().chain(&chosen.outputs).next();
                 assert_eq!(node == Some(&typed), !is_small, "{count} {power}");
                 assert_eq!(chosen.is_given_up, !is_small, "{count} {power}");
-                let left = formulas(&mut graph, &residuals, &outputs, false);
+                let left = formulas(&mut graph, &residuals, &[], &outputs, false);
                 assert_eq!((left.residuals, left.outputs), (residuals, outputs));
                 assert!(!left.is_given_up);
             }

@@ -56,17 +56,17 @@ impl Candidate {
         }
     }
 
-    /// Takes out shared factors, if that is cheaper.
-    pub(super) fn take_out_factors(&mut self, passes: Passes) {
-        if !passes.include(Pass::SharedFactors) || work::is_spent() {
+    /// Leaves shared factors in their terms, if that is cheaper.
+    pub(super) fn leave_factors(&mut self, passes: Passes, trials: &mut Vec<Trial>) {
+        if !passes.include(Pass::FactorsLeft) || work::is_spent() {
             return;
         }
-        let style = Style::checked(passes).with_factors_taken_out();
+        let style = Style::checked(passes);
         let other = schedule_on_trial(&self.graph, &self.program, &self.hints, style);
-        let is_cheaper = other.cost().arithmetic() < self.scheduled.cost().arithmetic();
-        if is_cheaper || !passes.include(Pass::FactorsLeft) {
+        if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
             self.scheduled = other;
-            self.way.takes_out_factors = true;
+            self.way.takes_out_factors = false;
+            trials.push(self.trial());
         }
     }
 
@@ -317,13 +317,17 @@ impl<'a> Draft<'a> {
             directions: self.directions,
             has_sensitivities: self.has_sensitivities,
         };
-        let style = Style::checked(self.task.passes);
+        let takes_out_factors = self.task.passes.include(Pass::SharedFactors);
+        let style = Style {
+            takes_out_factors,
+            ..Style::checked(self.task.passes)
+        };
         let scheduled = schedule_on_trial(&self.graph, &program, &self.hints, style);
         Candidate {
             way: Approach {
                 is_multiplied_out: self.derived.form.is_multiplied_out,
                 has_influences: self.derived.influences == Influences::Collected,
-                takes_out_factors: false,
+                takes_out_factors,
             },
             graph: self.graph,
             program,

@@ -27,26 +27,32 @@ impl EquationForm {
     }
 }
 
-/// The multiplied-out form of the equations, and the typed form if it differs.
+/// The multiplied-out form of the equations, and the form with their products left if it differs.
 pub(super) fn forms(task: &Task<'_>) -> Vec<EquationForm> {
     let mut graph = task.graph.clone();
     let mut form = |is_multiplied_out| {
-        let formulas = derive::formulas(&mut graph, task.residuals, &task.outputs, is_multiplied_out);
+        let formulas = derive::formulas(
+            &mut graph,
+            task.residuals,
+            task.blocks,
+            &task.outputs,
+            is_multiplied_out,
+        );
         EquationForm {
             graph: graph.clone(),
             formulas,
             is_multiplied_out,
         }
     };
-    let (multiplied_out, typed) = (form(true), form(false));
+    let (multiplied_out, products_left) = (form(true), form(false));
     let nodes = |form: &EquationForm| [form.formulas.residuals.clone(), form.formulas.outputs.clone()];
-    if nodes(&multiplied_out) == nodes(&typed) || !task.passes.include(Pass::AsTyped) {
+    if nodes(&multiplied_out) == nodes(&products_left) || !task.passes.include(Pass::ProductsLeft) {
         return vec![multiplied_out];
     }
     if !task.passes.include(Pass::MultipliedOut) {
-        return vec![typed];
+        return vec![products_left];
     }
-    vec![multiplied_out, typed]
+    vec![multiplied_out, products_left]
 }
 
 /// Equations and outputs in one form, with their derivatives.

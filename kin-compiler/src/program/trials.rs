@@ -20,7 +20,7 @@ impl Display for Approach {
         formatter.write_str(if self.is_multiplied_out {
             "the equations multiplied out"
         } else {
-            "the equations as typed"
+            "the equations with their products left"
         })?;
         if self.has_influences {
             formatter.write_str(", with influence coefficients")?;

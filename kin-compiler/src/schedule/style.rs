@@ -30,12 +30,4 @@ impl Style {
             ..Self::plain(passes)
         }
     }
-
-    /// The same style, with shared factors taken out.
-    pub(crate) const fn with_factors_taken_out(self) -> Self {
-        Self {
-            takes_out_factors: true,
-            ..self
-        }
-    }
 }

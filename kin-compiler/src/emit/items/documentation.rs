@@ -25,13 +25,12 @@ impl Compiled<'_> {
             .collect()
     }
 
-    /// The note that some formulas are differentiated as typed only, if they were too large to be multiplied out.
+    /// The note that some formulas were too large to be multiplied out before they are differentiated.
     pub(in crate::emit) fn form_lines(&self) -> Vec<String> {
         if !self.solvers.is_form_given_up {
             return Vec::new();
         }
-        let line =
-            " Some equations or outputs would be too large if multiplied out. They are differentiated only as typed.";
+        let line = " Some equations or outputs would be too large if multiplied out. Their products are left when they are differentiated.";
         vec![String::new(), line.to_owned()]
     }
 

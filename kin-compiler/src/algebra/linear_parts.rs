@@ -1,0 +1,72 @@
+//! Expressions in which only the linear parts are multiplied out.
+
+use std::collections::BTreeMap;
+
+use super::{Expansion, Graph, Node, NodeKind, Variables};
+
+/// Multiplies out the linear parts of expressions: those without products of varying expressions, such as the
+/// components of vectors.
+///
+/// Products of such parts stay products. So a squared length v·v has the derivatives 2 v·v′, 2 v·v″ + 2 v′·v′, …, which
+/// share the derivatives of v. Multiplied out, it is a sum over all pairs of terms of v.
+#[derive(Default)]
+pub(crate) struct LinearParts {
+    multiplied_out: BTreeMap<Node, Node>,
+    linear: BTreeMap<Node, bool>,
+}
+
+impl LinearParts {
+    /// An expression with its linear parts multiplied out.
+    pub(crate) fn multiply_out(&mut self, graph: &mut Graph, node: Node) -> Node {
+        if let Some(&known) = self.multiplied_out.get(&node) {
+            return known;
+        }
+        let result = if self.is_linear(graph, node) {
+            let polynomial = Expansion::new(graph, Variables::Position).polynomial(node);
+            polynomial.map_or(node, |polynomial| polynomial.node(graph))
+        } else {
+            match graph.kind(node).clone() {
+                NodeKind::Sum(constant, terms) => {
+                    let mut terms: Vec<(Node, f64)> =
+                        terms.iter().map(|&(part, factor)| (part, factor.get())).collect();
+                    for (part, _) in &mut terms {
+                        *part = self.multiply_out(graph, *part);
+                    }
+                    graph.linear(constant.get(), &terms)
+                }
+                NodeKind::Product(mut factors) => {
+                    for (factor, _) in &mut factors {
+                        *factor = self.multiply_out(graph, *factor);
+                    }
+                    graph.product(&factors)
+                }
+                _ => node,
+            }
+        };
+        self.multiplied_out.insert(node, result);
+        result
+    }
+
+    /// Whether an expression contains no product of varying expressions, except within functions.
+    fn is_linear(&mut self, graph: &Graph, node: Node) -> bool {
+        if let Some(&known) = self.linear.get(&node) {
+            return known;
+        }
+        let is_linear = match graph.kind(node) {
+            NodeKind::Sum(_, terms) => terms.iter().all(|&(part, _)| self.is_linear(graph, part)),
+            NodeKind::Product(factors) => {
+                let mut varying = factors
+                    .iter()
+                    .filter(|&&(factor, _)| graph.varies(factor, Variables::Position));
+                match [varying.next(), varying.next()] {
+                    [None, _] => true,
+                    [Some(&(factor, 1)), None] => self.is_linear(graph, factor),
+                    _ => false,
+                }
+            }
+            _ => true,
+        };
+        self.linear.insert(node, is_linear);
+        is_linear
+    }
+}
