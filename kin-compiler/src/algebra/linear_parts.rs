@@ -70,3 +70,31 @@ impl LinearParts {
         is_linear
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::LinearParts;
+    use crate::algebra::{Graph, Symbol};
+
+    /// A factor is multiplied out, its square is not.
+    #[test]
+    fn products_stay_products() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let length = graph.symbol(Symbol::Parameter(0));
+        let sum = graph.add(x, y);
+        let factor = graph.multiply(length, sum);
+        let [along_x, along_y] = [x, y].map(|unknown| graph.multiply(length, unknown));
+        let multiplied_out = graph.add(along_x, along_y);
+        let mut parts = LinearParts::default();
+        assert_eq!(parts.multiply_out(&mut graph, factor), multiplied_out);
+        let shifted = graph.add(factor, x);
+        let square = graph.power(shifted, 2);
+        let one = graph.one();
+        let for_x = graph.add(length, one);
+        let for_x = graph.multiply(for_x, x);
+        let expected = graph.add(for_x, along_y);
+        let expected = graph.power(expected, 2);
+        assert_eq!(parts.multiply_out(&mut graph, square), expected);
+    }
+}

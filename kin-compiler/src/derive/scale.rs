@@ -3,9 +3,9 @@
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::structure::Block;
 
-/// Divides equations by the number in front of all terms of their rows in the Jacobian, if this is a power of two:
-/// v·v = l² becomes ½ v·v = ½ l², with the derivatives v·v′ = 0, v·v″ + v′·v′ = 0 and so on. Only powers of two, because
-/// no division by them rounds.
+/// Divides equations by the number in front of all terms of their rows in the Jacobian, if this is 2, 4 or 8: v·v = l²
+/// becomes ½ v·v = ½ l², with the derivatives v·v′ = 0, v·v″ + v′·v′ = 0 and so on. A division by a power of two does not
+/// round.
 pub(super) fn scale_rows(graph: &mut Graph, residuals: &mut [Node], blocks: &[Block]) {
     for block in blocks {
         for &equation in &block.equations {
@@ -13,7 +13,7 @@ pub(super) fn scale_rows(graph: &mut Graph, residuals: &mut [Node], blocks: &[Bl
             let row: Vec<Node> = unknowns
                 .map(|&unknown| graph.partial(residuals[equation], Symbol::Unknown(unknown)))
                 .collect();
-            if let Some(number) = common_number(graph, &row).filter(|number| number.log2().fract() == 0.0) {
+            if let Some(number) = common_number(graph, &row).filter(|number| [2.0, 4.0, 8.0].contains(number)) {
                 residuals[equation] = graph.scale(1.0 / number, residuals[equation]);
             }
         }
@@ -33,4 +33,31 @@ fn common_number(graph: &Graph, entries: &[Node]) -> Option<f64> {
     let mut numbers = numbers.map(f64::abs).filter(|&number| number != 0.0);
     let first = numbers.next()?;
     numbers.all(|number| number == first).then_some(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use crate::passes::Passes;
+    use crate::testing::sound;
+
+    /// An equation between squared lengths costs as much as one between their halves.
+    #[test]
+    fn no_derivative_keeps_a_common_number() {
+        let cost = |rod: proc_macro2::TokenStream| {
+            let declaration = quote! {
+                struct Slider { r: Length, l: Length }
+                input theta: Angle;
+                unknown s: Length;
+                #rod
+            };
+            let solvers = sound(declaration).solvers(Passes::ALL);
+            let rates = &solvers.orders()[1..];
+            rates.iter().map(|stage| stage.cost.arithmetic()).sum::<usize>()
+        };
+        let whole = cost(quote!((s - r * cos(theta)).powi(2) + (r * sin(theta)).powi(2) == l.powi(2);));
+        let half = cost(quote!((s - r * cos(theta)).powi(2) / 2 + (r * sin(theta)).powi(2) / 2 == l.powi(2) / 2;));
+        assert_eq!(whole, half);
+    }
 }

@@ -30,7 +30,8 @@ impl Compiled<'_> {
         if !self.solvers.is_form_given_up {
             return Vec::new();
         }
-        let line = " Some equations or outputs would be too large if multiplied out. Their products are left when they are differentiated.";
+        let line = " Some equations or outputs would be too large if multiplied out. Their products are left when they \
+                    are differentiated.";
         vec![String::new(), line.to_owned()]
     }
 
