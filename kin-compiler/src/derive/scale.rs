@@ -3,9 +3,9 @@
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::structure::Block;
 
-/// Divides equations by the number in front of all terms of their rows in the Jacobian, if this is 2, 4 or 8: v·v = l²
-/// becomes ½ v·v = ½ l², with the derivatives v·v′ = 0, v·v″ + v′·v′ = 0 and so on. A division by a power of two does not
-/// round.
+/// Divides equations by the number in front of all terms of their rows in the Jacobian, if this is 2, 4 or 8. So
+/// v·v = l² becomes ½ v·v = ½ l², with the derivatives v·v′ = 0, v·v″ + v′·v′ = 0 and so on. A division by a power of
+/// two does not round.
 pub(super) fn scale_rows(graph: &mut Graph, residuals: &mut [Node], blocks: &[Block]) {
     for block in blocks {
         for &equation in &block.equations {
