@@ -1,6 +1,6 @@
 //! Expressions in which only the linear parts are multiplied out.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Expansion, Graph, Node, NodeKind, Variables};
 
@@ -11,40 +11,29 @@ use super::{Expansion, Graph, Node, NodeKind, Variables};
 /// share the derivatives of v. Multiplied out, it is a sum over all pairs of terms of v.
 #[derive(Default)]
 pub(crate) struct LinearParts {
-    multiplied_out: BTreeMap<Node, Node>,
     linear: BTreeMap<Node, bool>,
+    /// The largest linear parts, and all that has been rewritten with them.
+    multiplied_out: BTreeMap<Node, Node>,
 }
 
 impl LinearParts {
     /// An expression with its linear parts multiplied out.
     pub(crate) fn multiply_out(&mut self, graph: &mut Graph, node: Node) -> Node {
-        if let Some(&known) = self.multiplied_out.get(&node) {
-            return known;
-        }
-        let result = if self.is_linear(graph, node) {
-            let polynomial = Expansion::new(graph, Variables::Position).polynomial(node);
-            polynomial.map_or(node, |polynomial| polynomial.node(graph))
-        } else {
-            match graph.kind(node).clone() {
-                NodeKind::Sum(constant, terms) => {
-                    let mut terms: Vec<(Node, f64)> =
-                        terms.iter().map(|&(part, factor)| (part, factor.get())).collect();
-                    for (part, _) in &mut terms {
-                        *part = self.multiply_out(graph, *part);
-                    }
-                    graph.linear(constant.get(), &terms)
-                }
-                NodeKind::Product(mut factors) => {
-                    for (factor, _) in &mut factors {
-                        *factor = self.multiply_out(graph, *factor);
-                    }
-                    graph.product(&factors)
-                }
-                _ => node,
+        let mut seen = BTreeSet::new();
+        let mut pending = vec![node];
+        while let Some(part) = pending.pop() {
+            if self.multiplied_out.contains_key(&part) || !seen.insert(part) {
+                continue;
             }
-        };
-        self.multiplied_out.insert(node, result);
-        result
+            if self.is_linear(graph, part) {
+                let polynomial = Expansion::new(graph, Variables::Position).polynomial(part);
+                let multiplied_out = polynomial.map_or(part, |polynomial| polynomial.node(graph));
+                self.multiplied_out.insert(part, multiplied_out);
+            } else {
+                pending.extend(graph.operands(part).into_iter().rev());
+            }
+        }
+        graph.substitute(node, &mut self.multiplied_out)
     }
 
     /// Whether an expression contains no product of varying expressions, except within functions.

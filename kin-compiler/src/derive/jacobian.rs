@@ -45,7 +45,7 @@ struct EquationRotation {
 }
 
 /// The partial derivatives of a block's equations (rows) by its unknowns (columns).
-fn partials(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Node>> {
+pub(super) fn partials(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Node>> {
     block
         .equations
         .iter()

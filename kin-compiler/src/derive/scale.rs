@@ -1,6 +1,7 @@
 //! Equations without numbers that would only be divided out of their rates.
 
-use crate::algebra::{Graph, Node, NodeKind, Symbol};
+use super::jacobian::partials;
+use crate::algebra::{Graph, Node, NodeKind};
 use crate::structure::Block;
 
 /// Divides equations by the number in front of all terms of their rows in the Jacobian, if this is 2, 4 or 8. So
@@ -8,12 +9,9 @@ use crate::structure::Block;
 /// two does not round.
 pub(super) fn scale_rows(graph: &mut Graph, residuals: &mut [Node], blocks: &[Block]) {
     for block in blocks {
-        for &equation in &block.equations {
-            let unknowns = block.unknowns.iter();
-            let row: Vec<Node> = unknowns
-                .map(|&unknown| graph.partial(residuals[equation], Symbol::Unknown(unknown)))
-                .collect();
-            if let Some(number) = common_number(graph, &row).filter(|number| [2.0, 4.0, 8.0].contains(number)) {
+        let rows = partials(graph, residuals, block);
+        for (row, &equation) in rows.iter().zip(&block.equations) {
+            if let Some(number) = common_number(graph, row).filter(|number| [2.0, 4.0, 8.0].contains(number)) {
                 residuals[equation] = graph.scale(1.0 / number, residuals[equation]);
             }
         }

@@ -56,18 +56,19 @@ impl Candidate {
         }
     }
 
-    /// Leaves shared factors in their terms, if that is cheaper.
-    pub(super) fn leave_factors(&mut self, passes: Passes, trials: &mut Vec<Trial>) {
+    /// Leaves shared factors in their terms, if that is cheaper. Returns whether it is.
+    pub(super) fn leave_factors(&mut self, passes: Passes) -> bool {
         if !passes.include(Pass::FactorsLeft) || work::is_spent() {
-            return;
+            return false;
         }
         let style = Style::checked(passes);
         let other = schedule_on_trial(&self.graph, &self.program, &self.hints, style);
-        if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
+        let is_cheaper = other.cost().arithmetic() < self.scheduled.cost().arithmetic();
+        if is_cheaper {
             self.scheduled = other;
             self.way.takes_out_factors = false;
-            trials.push(self.trial());
         }
+        is_cheaper
     }
 
     /// The solvers, with the programs beside them.

@@ -36,22 +36,27 @@ pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
     let is_form_given_up = forms.iter().any(|form| form.formulas.is_given_up);
     let mut trials = Vec::new();
     let mut candidates = Vec::new();
+    let influences: &[Influences] = if task.passes.include(Pass::Influences) {
+        &[Influences::Separate, Influences::Collected]
+    } else {
+        &[Influences::Separate]
+    };
     for form in forms {
-        for influences in [Influences::Separate, Influences::Collected] {
-            if influences == Influences::Separate || task.passes.include(Pass::Influences) {
-                let derived = Derived::new(task, form.clone(), influences)?;
-                let candidate = Candidate::new(task, &derived, &[]);
-                trials.push(candidate.trial());
-                candidates.push((candidate, derived));
-            }
+        for &influences in influences {
+            let derived = Derived::new(task, form.clone(), influences)?;
+            let candidate = Candidate::new(task, &derived, &[]);
+            trials.push(candidate.trial());
+            candidates.push((candidate, derived));
         }
     }
     let cost = |(candidate, _): &(Candidate, Derived)| candidate.cost();
     let least = candidates.iter().map(cost).min().unwrap_or_default();
-    // a way that costs more has never become the cheapest by leaving its shared factors
+    // a way that costs a twenty-fifth more has never become the cheapest by leaving its shared factors
     candidates.retain(|candidate| cost(candidate) <= least + least / 25);
     for (candidate, _) in &mut candidates {
-        candidate.leave_factors(task.passes, &mut trials);
+        if candidate.leave_factors(task.passes) {
+            trials.push(candidate.trial());
+        }
     }
     let (mut candidate, derived) = candidates.into_iter().min_by_key(cost).expect("there is a way");
     if task.parameters > 0 {
@@ -67,6 +72,6 @@ fn with_sensitivities(task: &Task<'_>, mut derived: Derived) -> Result<Candidate
         .derivatives
         .sensitivities(&mut derived.graph, form_task, task.parameters)?;
     let mut candidate = Candidate::new(task, &derived, &definitions);
-    candidate.leave_factors(task.passes, &mut Vec::new());
+    candidate.leave_factors(task.passes);
     Ok(candidate)
 }
