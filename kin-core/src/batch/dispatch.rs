@@ -26,7 +26,8 @@ pub enum Vectors {
     Compiled,
     /// AVX2 with fused multiply-add: four numbers per instruction, eight in single precision.
     Avx2,
-    /// AVX-512: eight numbers per instruction, sixteen in single precision. Newton's method uses AVX2 in its place.
+    /// AVX-512: eight numbers per instruction, sixteen in single precision. A processor that works on them in halves
+    /// uses AVX2 in its place where that is faster.
     Avx512,
 }
 
@@ -73,11 +74,7 @@ impl Vectors {
                 // operating system that saves their registers. Neither can disappear while the program runs.
                 Self::Avx2 => return unsafe { avx2(kernel) },
                 // SAFETY: a machine with AVX-512 has AVX2 and FMA: `are_there` tests for them as well.
-                Self::Avx512 if const { matches!(K::AVX512, Some(Avx512::Not)) } => return unsafe { avx2(kernel) },
-                // SAFETY: as above.
-                Self::Avx512 if const { K::AVX512.is_none() } && kernel.avx512() == Avx512::Not => {
-                    return unsafe { avx2(kernel) };
-                }
+                Self::Avx512 if works_in_halves() && kernel.is_slow_in_halves() => return unsafe { avx2(kernel) },
                 // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five features for which `avx512` is
                 // compiled, and for which `are_there` has just tested this machine.
                 Self::Avx512 => return unsafe { avx512(kernel) },
@@ -89,31 +86,22 @@ impl Vectors {
     }
 }
 
-/// The ways to use AVX-512.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Avx512 {
-    /// Two vectors of double precision for each number, so that fewer steps wait for each other.
-    SixteenLanes,
-    /// One vector. The numbers of sixteen poses may fill the queue in which a processor keeps stores until the memory
-    /// takes them. It waits then: on Zen 4, whose queue holds 32 stores of 512 bits, up to twice as long, where the
-    /// columns do not fit into the caches.
-    EightLanes,
-    /// AVX2 in its place. Newton's method is slower in AVX-512: it waits for the slowest of more poses, and stores
-    /// more.
-    Not,
+/// Whether this machine works on 512 bits in halves, as Zen 4 does. The processors after it have AVX-VNNI. Older ones
+/// of Intel do not, and count as such.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+fn works_in_halves() -> bool {
+    !std::arch::is_x86_feature_detected!("avxvnni")
 }
 
-impl Avx512 {
-    /// The way for a mechanism with so many assemblies, of whose pose so many numbers can be stored.
-    pub(super) const fn of(assemblies: usize, numbers: usize) -> Self {
-        if assemblies == 0 {
-            Self::Not
-        } else if numbers > 16 {
-            Self::EightLanes
-        } else {
-            Self::SixteenLanes
-        }
-    }
+/// Whether a batch takes longer in AVX-512 than in AVX2 where a processor [works in halves](works_in_halves): of a
+/// mechanism with so many assemblies, with so many numbers stored for each of so many poses.
+///
+/// Newton's method waits for the slowest of more poses then. And the queue in which Zen 4 keeps stores until the memory
+/// takes them holds 32 of 512 bits: it is full of the numbers of sixteen poses where these do not fit into the caches.
+pub(super) const fn is_slow_in_halves(assemblies: usize, numbers: usize, poses: usize) -> bool {
+    const QUEUED: usize = 16;
+    const CACHED: usize = 1 << 17;
+    assemblies == 0 || numbers > QUEUED && numbers * poses > CACHED
 }
 
 /// Code that is compiled once for each kind of vectors. Everything it calls must be inlined, or it is compiled for the
@@ -124,13 +112,10 @@ pub trait Kernel {
     /// The numbers in its lanes.
     type Element: Element;
 
-    /// The way in which it uses AVX-512. It is `None` if it is known only when the kernel runs.
-    const AVX512: Option<Avx512> = Some(Avx512::SixteenLanes);
-
-    /// The way in which this kernel uses AVX-512.
+    /// Whether this kernel takes longer in AVX-512 than in AVX2 where a processor works on 512 bits in halves.
     #[inline]
-    fn avx512(&self) -> Avx512 {
-        Self::AVX512.unwrap_or(Avx512::SixteenLanes)
+    fn is_slow_in_halves(&self) -> bool {
+        false
     }
 
     /// Runs the kernel in `W` lanes, with vectors of `BITS` bits.
@@ -150,16 +135,9 @@ fn avx2<K: Kernel>(kernel: K) -> K::Result {
     K::Element::run::<K, 8, 16, 256>(kernel)
 }
 
+/// Two vectors of double precision for each number, so that fewer steps wait for each other.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
-#[expect(clippy::if_same_then_else, reason = "one of the conditions is a constant")]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
-    // in constants, so that only one of the two is compiled for a kernel whose way is known
-    if const { matches!(K::AVX512, Some(Avx512::EightLanes)) } {
-        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, 512>(kernel)
-    } else if const { K::AVX512.is_none() } && kernel.avx512() == Avx512::EightLanes {
-        K::Element::run::<K, { MOST_LANES / 2 }, MOST_SINGLES, 512>(kernel)
-    } else {
-        K::Element::run::<K, MOST_LANES, MOST_SINGLES, 512>(kernel)
-    }
+    K::Element::run::<K, MOST_LANES, MOST_SINGLES, 512>(kernel)
 }

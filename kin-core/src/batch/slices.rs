@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Entries, Stored};
-use super::dispatch::{Avx512, Kernel, Vectors};
+use super::dispatch::{Kernel, Vectors, is_slow_in_halves};
 use super::fold::{Piece, check_numbers, entries, fold_pieces};
 use super::lanes::{Lanes, verdicts};
 use super::outcome::{LengthMismatch, Outcome, Summary};
@@ -472,14 +472,13 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
     type Result = Summary;
     type Element = f64;
 
-    const AVX512: Option<Avx512> = None;
-
-    /// As a compiled mechanism does, because its numbers depend on the poses that are solved together.
-    fn avx512(&self) -> Avx512 {
+    /// As of a compiled mechanism, because the numbers of Newton's method depend on the poses that are solved together.
+    #[inline]
+    fn is_slow_in_halves(&self) -> bool {
         let solver = self.alone.solver;
         let description = solver.description();
         let results = description.unknowns.len() + description.outputs.len();
-        Avx512::of(solver.assembly_count(), results * self.alone.orders)
+        is_slow_in_halves(solver.assembly_count(), results * self.alone.orders, self.outcomes.len())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -8,7 +8,7 @@ use num_traits::{Float, Zero};
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Destination, EntriesOf};
-use super::dispatch::{Avx512, Kernel, Vectors};
+use super::dispatch::{Kernel, Vectors, is_slow_in_halves};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
 use super::transmission::{TransmissionColumns, angles_at};
@@ -357,10 +357,11 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
     type Result = Summary;
     type Element = M::Scalar;
 
-    const AVX512: Option<Avx512> = Some(Avx512::of(
-        M::ASSEMBLY_COUNT,
-        <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH,
-    ));
+    #[inline]
+    fn is_slow_in_halves(&self) -> bool {
+        let numbers = <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH;
+        is_slow_in_halves(M::ASSEMBLY_COUNT, numbers, self.outcomes.len())
+    }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<const W: usize, const BITS: usize>(self) -> Summary {
