@@ -478,7 +478,11 @@ impl<S: SliceSolver> Kernel for SliceRun<'_, S> {
         let solver = self.alone.solver;
         let description = solver.description();
         let results = description.unknowns.len() + description.outputs.len();
-        is_slow_in_halves(solver.assembly_count(), results * self.alone.orders, self.outcomes.len())
+        is_slow_in_halves(
+            solver.assembly_count(),
+            results * self.alone.orders,
+            self.outcomes.len(),
+        )
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

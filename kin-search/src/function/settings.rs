@@ -8,8 +8,8 @@ extensions_options! {
     /// The settings of kin's functions: `set kin.vectors = 'avx2'` in SQL.
     ///
     /// Fused products round differently from separate ones. A query that must give the same digits on machines of
-    /// several kinds fixes the kind of vectors: `compiled` or `avx2`. `avx512` rounds Newton's method differently where a
-    /// processor works on 512 bits in halves. It is `widest` otherwise, those of the machine.
+    /// several kinds fixes the kind of vectors: `compiled` or `avx2`. `avx512` rounds Newton's method differently where
+    /// a processor works on 512 bits in halves. It is `widest` otherwise, those of the machine.
     pub struct Settings {
         /// The kind of vectors.
         pub vectors: String, default = "widest".to_owned()
