@@ -24,7 +24,7 @@ macro_rules! agree {
 
 // in two tests, which run beside each other
 agree! {
-    mechanisms_from_a_to_r, 1800;
+    mechanisms_from_a_to_r, 7000;
     "andrews_squeezer": AndrewsSqueezer;
     "approximate_slider_crank": SliderCrankFirstApproximation, SliderCrankHigherApproximation;
     "bennett": Bennett;
@@ -46,7 +46,7 @@ agree! {
 }
 
 agree! {
-    mechanisms_from_s_to_w, 800;
+    mechanisms_from_s_to_w, 3000;
     "scotch_yoke": ScotchYoke;
     "slider_crank": SliderCrank, OffsetSliderCrank;
     "spherical_four_bar": SphericalFourBar;
