@@ -104,6 +104,17 @@ function settle(page) {
   );
 }
 
+/** Stops the page's clock, so that its timers and frames wait for `passes`, however busy the machine is. */
+async function stopClock(page) {
+  await page.clock.install();
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
+}
+
+/** Lets a time pass on a page whose clock is stopped, in milliseconds, with the frames that fall into it. */
+function passes(page, time) {
+  return page.clock.runFor(time);
+}
+
 /** The text of a file that the page hands over. */
 async function saved(page, button) {
   await page.click("#save summary");
@@ -202,13 +213,14 @@ test("every page of the gallery loads, and its numbers are those of the solver i
 test("play moves the mechanism, and pause holds it", () =>
   withPage(addressOf("four_bar"), async (page) => {
     const start = await inputNow(page);
+    await stopClock(page);
     await page.click("#play");
-    await page.waitForTimeout(500);
+    await passes(page, 500);
     await page.click("#play");
-    await settle(page);
+    await passes(page, 50);
     const held = await inputNow(page);
     assert.ok(held > start + 3, `from ${start} to ${held}`);
-    await page.waitForTimeout(150);
+    await passes(page, 150);
     assert.equal(await inputNow(page), held);
   }));
 
@@ -222,10 +234,11 @@ test("at a negative speed the crank turns backwards, as its arrow says", () =>
     await settle(page);
     assert.notEqual(await arrow(), forwards);
     const start = await inputNow(page);
+    await stopClock(page);
     await page.click("#play");
-    await page.waitForTimeout(500);
+    await passes(page, 500);
     await page.click("#play");
-    await settle(page);
+    await passes(page, 50);
     const held = await inputNow(page);
     const change = ((held - start + 540) % 360) - 180;
     assert.ok(change < -3, `from ${start} to ${held}`);
@@ -264,10 +277,11 @@ test("under a law the page runs over the time, and curves have gaps where a deri
     await page.keyboard.press("End");
     await settle(page);
     assert.equal(await inputNow(page), 0.6);
+    await stopClock(page);
     await page.click("#play");
-    await page.waitForTimeout(1200);
+    await passes(page, 1200);
     await page.click("#play");
-    await settle(page);
+    await passes(page, 50);
     const again = await inputNow(page);
     assert.ok(again > 0 && again < 0.5, `${again}`);
     // the law has no slider, and keeps to its values
@@ -289,8 +303,8 @@ test("the scrubber follows the pointer and the keys", () =>
     await page.keyboard.press("Shift+ArrowRight");
     await settle(page);
     assert.ok(Math.abs((await inputNow(page)) - 101) < 0.3);
-    await page.waitForTimeout(250);
-    assert.match(await page.textContent("#spoken"), /θ₂ = .*°, θ₃ = .*°, θ₄ = .*°/);
+    // it is said once the reader rests
+    await page.locator("#spoken", { hasText: /θ₂ = 101.*°, θ₃ = .*°, θ₄ = .*°/ }).waitFor({ state: "attached" });
   }));
 
 test("a dragged crank turns, and stops at the limit with its position", () =>
@@ -435,15 +449,17 @@ test("the picture is fitted again when a dimension moves links out of it, unless
     await settle(page);
     const scale = () => page.textContent("#picture .grid text");
     const before = await scale();
+    await stopClock(page);
     const set = (name, value) => page.fill(`input[aria-label="${name}, as a number"]`, String(value));
     // a change that the picture holds moves nothing but links
     await set("r₃", 78);
-    await page.waitForTimeout(250);
+    await passes(page, 250);
     assert.equal(await scale(), before);
     await set("r₃", 160);
     await set("r₄", 170);
+    await passes(page, 50);
     assert.ok((await endsOfLinks(page)).some((part) => part < 0 || part > 1));
-    await page.waitForTimeout(250);
+    await passes(page, 250);
     assert.ok((await endsOfLinks(page)).every((part) => part >= 0 && part <= 1));
     const box = await page.locator("#picture").boundingBox();
     await page.mouse.move(box.x + 8, box.y + 8);
@@ -452,7 +468,7 @@ test("the picture is fitted again when a dimension moves links out of it, unless
     await page.mouse.up();
     await set("r₃", 300);
     await set("r₄", 310);
-    await page.waitForTimeout(250);
+    await passes(page, 250);
     assert.ok((await endsOfLinks(page)).some((part) => part < 0 || part > 1));
   }));
 
