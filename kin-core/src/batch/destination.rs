@@ -28,7 +28,7 @@ type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>
 const LONG: usize = 32;
 
 /// The bytes in a cache line.
-const LINE: usize = 64;
+pub(super) const LINE: usize = 64;
 
 /// The columns of all numbers: a `C` for each.
 pub(super) struct Destination<M: Mechanism, C: Copy> {
@@ -40,7 +40,7 @@ pub(super) struct Destination<M: Mechanism, C: Copy> {
 }
 
 impl<M: Mechanism<Scalar: Element>, C: Copy> Destination<M, C> {
-    fn splat(column: C) -> Self {
+    pub(super) fn splat(column: C) -> Self {
         let motion = M::Motion::splat(column);
         Self {
             inputs: Row::splat(motion),
@@ -48,6 +48,20 @@ impl<M: Mechanism<Scalar: Element>, C: Copy> Destination<M, C> {
             sines: Row::splat(column),
             outputs: Row::splat(motion),
         }
+    }
+
+    /// The columns of the numbers that are found, in rows.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[C]> {
+        let unknowns = self.unknowns.as_ref().iter().map(AsRef::as_ref);
+        let outputs = self.outputs.as_ref().iter().map(AsRef::as_ref);
+        unknowns.chain([self.sines.as_ref()]).chain(outputs)
+    }
+
+    /// [`rows`](Self::rows) to be changed.
+    pub(super) fn rows_mut(&mut self) -> impl Iterator<Item = &mut [C]> {
+        let unknowns = self.unknowns.as_mut().iter_mut().map(AsMut::as_mut);
+        let outputs = self.outputs.as_mut().iter_mut().map(AsMut::as_mut);
+        unknowns.chain([self.sines.as_mut()]).chain(outputs)
     }
 
     /// Stores the motions of the inputs, starting at a given pose.
@@ -156,6 +170,19 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
             0 => W,
             second => second,
         }
+    }
+
+    /// Whether every wanted column gets the numbers of all poses that are solved: that of a sine gets those of a
+    /// direction only.
+    pub(super) fn are_filled(&self) -> bool {
+        let mut sines = self.sines.as_ref().iter().zip(M::DESCRIPTION.unknowns);
+        sines.all(|(column, unknown)| column.is_empty() || unknown.is_direction)
+    }
+
+    /// The bytes of the wanted columns of so many poses.
+    pub(super) fn bytes(&self, count: usize) -> usize {
+        let wanted = self.rows().flatten().filter(|column| !column.is_empty()).count();
+        wanted * count * size_of::<M::Scalar>()
     }
 
     /// Whether the motion of an input is wanted.

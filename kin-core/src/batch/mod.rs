@@ -45,6 +45,7 @@ mod outcome;
 mod parallel;
 #[cfg(feature = "alloc")]
 mod slices;
+mod stream;
 mod sweep;
 mod target;
 #[cfg(test)]

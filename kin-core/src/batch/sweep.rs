@@ -10,6 +10,7 @@ use super::conclusion::{Chunk, Conclusion};
 use super::destination::{Destination, EntriesOf};
 use super::dispatch::{Kernel, Vectors, is_slow_in_halves};
 use super::outcome::{LengthMismatch, Outcome, Summary};
+use super::stream::Streams;
 use super::target::{Columns, Target};
 use super::transmission::{TransmissionColumns, angles_at};
 use super::view::{View, gather, gather_all, look, look_at_entries, repeat};
@@ -415,6 +416,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         } else {
             W
         };
+        let mut stages = None;
+        let mut streams = Streams::<M, W, BITS>::new(alone.destination, count, second + W, &mut stages, &spare);
         // the first pose without an outcome
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
@@ -450,7 +453,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                sum = destination.store(start, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+                let (columns, first) = streams.place(start, &destination);
+                sum = columns.store(first, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
                 if has_angles {
                     gather(&mut dimensions, parameters.as_ref(), start);
                     gather_all(&mut motions, inputs.as_ref(), start);
@@ -458,10 +462,12 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                     sum = sum + angles.store(start, angles_at(&mechanism, &motions, &pose).as_ref());
                 }
                 if sum.is_finite_throughout() {
+                    streams.advance();
                     next = start + W;
                     continue;
                 }
             }
+            streams.interrupt(start);
             destination.clear(start, sum.gaps());
             angles.clear(start, sum.gaps());
             gather(&mut dimensions, parameters.as_ref(), start);
@@ -489,6 +495,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             }
             next = start + W;
         }
+        streams.end();
         conclusion.end(next, outcomes, |index| alone.settle(index))
     }
 }

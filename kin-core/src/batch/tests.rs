@@ -4,7 +4,13 @@
 use std::vec;
 use std::vec::Vec;
 
+#[cfg(not(miri))]
+use super::Element;
+#[cfg(all(feature = "alloc", not(miri)))]
+use super::{AnyBatch as _, ColumnChoice, GivenColumns, Slot, WantedColumns};
 use super::{Batch, Column, Outcome, Vectors};
+#[cfg(all(feature = "alloc", not(miri)))]
+use crate::any::Of;
 use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
 use crate::prelude::*;
 
@@ -164,6 +170,102 @@ fn it_does_not_matter_where_columns_start() {
             );
         }
     }
+}
+
+/// The numbers of so long columns are those of short ones, wherever each column starts in its cache line, and nothing
+/// beside the columns changes. (It takes an interpreter too long.)
+#[cfg(not(miri))]
+#[test]
+fn long_columns_hold_what_short_ones_do() {
+    check_long_columns::<f64>(8);
+    check_long_columns::<f32>(16);
+}
+
+#[cfg(not(miri))]
+fn check_long_columns<T: Element + Into<f64>>(line: usize) {
+    const LONG: usize = 4001;
+    const SHORT: usize = 401;
+    let of = |number: f64| T::constant(number);
+    let bits = |column: &[T]| -> Vec<u64> { column.iter().map(|number| (*number).into().to_bits()).collect() };
+    let beside = of(7.0);
+    for (failures, assembly) in [
+        ([].as_slice(), Assembly::Open),
+        (&[3, 700, 2200, 2201, 4000], Assembly::Crossed),
+        (&[701, 702, 1726, 3999], Assembly::Open),
+    ] {
+        let angles: Vec<T> = (0..LONG)
+            .map(|index| {
+                let angle = 1.8 * f64::from(u32::try_from(index).unwrap()) / 4001.0;
+                of(if failures.contains(&index) { 2.5 } else { angle })
+            })
+            .collect();
+        let linkage = [90.0, 30.0, 60.0, 45.0].map(|length| Column::Same(of(length)));
+        let batch = |range: core::ops::Range<usize>| {
+            let mut theta2 = [-1.0, 0.5, 0.0, 0.2, 0.1].map(|rate| Column::Same(of(rate)));
+            theta2[0] = Column::Each(&angles[range]);
+            Batch::<FourBar<T>, _>::new(linkage, [Motion::new(theta2)], assembly)
+        };
+        for vectors in vectors() {
+            let mut expected = vec![Vec::new(); 10];
+            for start in (0..LONG).step_by(SHORT) {
+                let range = start..LONG.min(start + SHORT);
+                let mut outcomes = vec![Outcome::Unsolved; range.len()];
+                let mut poses = FourBarBatch::filled(|| vec![beside; range.len()]);
+                batch(range).vectors(vectors).solve(&mut poses, &mut outcomes).unwrap();
+                let columns = poses.theta3.as_ref().iter().chain(poses.theta4.as_ref());
+                for (expected, column) in expected.iter_mut().zip(columns) {
+                    expected.extend(bits(column));
+                }
+            }
+            for shift in 0..line {
+                let mut memory = vec![vec![beside; LONG + 2 * line]; 15];
+                // the third column starts in another place of its line than the first two, and so on
+                let starts: Vec<usize> = (0..15).map(|column| (shift + column / 2 * 3) % line + 1).collect();
+                let columns = memory.iter_mut().zip(&starts);
+                let mut columns = columns.map(|(column, start)| &mut column[*start..][..LONG]);
+                let mut poses = FourBarBatch::filled(|| columns.next().unwrap());
+                let mut outcomes = vec![Outcome::Unsolved; LONG];
+                let summary = batch(0..LONG).vectors(vectors).solve(&mut poses, &mut outcomes);
+                assert_eq!(summary.unwrap().failed, failures.len());
+                let columns = poses.theta3.as_ref().iter().chain(poses.theta4.as_ref());
+                let is_same = columns
+                    .zip(&expected)
+                    .all(|(column, expected)| bits(column) == *expected);
+                let mut others = memory.iter().zip(starts);
+                let are_kept = others.all(|(column, start)| {
+                    let others = column[..start].iter().chain(&column[start + LONG..]);
+                    others.into_iter().all(|number| *number == beside)
+                });
+                assert!(is_same && are_kept, "{vectors:?}, {shift}, {failures:?}");
+            }
+        }
+    }
+}
+
+/// The sine of an unknown that is no direction is not found, however long its column is.
+#[cfg(all(feature = "alloc", not(miri)))]
+#[test]
+fn a_sine_that_is_not_found_is_left_out() {
+    const LONG: usize = 4001;
+    let [angles, _] = inputs(1);
+    let linkage = [90.0, 30.0, 60.0, 45.0].map(Column::Same);
+    let theta2 = [angles[0], -1.0, 0.5, 0.0, 0.2].map(Column::Same);
+    let mut columns = vec![vec![7.0; LONG]; 5];
+    let slots = [Slot::Sine(0)]
+        .into_iter()
+        .chain((0..4).map(|order| Slot::Unknown(1, order)));
+    let mut wanted = WantedColumns::new(slots.zip(columns.iter_mut().map(|column| &mut column[..])).collect());
+    let given = GivenColumns {
+        parameters: &linkage,
+        inputs: &[&theta2],
+        choice: ColumnChoice::Assembly(0),
+    };
+    let mut outcomes = vec![Outcome::Unsolved; LONG];
+    let functions = Of::<FourBar>::FUNCTIONS;
+    let summary = functions.solve_batch(given, &mut wanted, &mut outcomes, Vectors::widest());
+    assert_eq!(summary.unwrap().solved, LONG);
+    assert!(columns[0].iter().all(|sine| *sine == 7.0));
+    assert!(columns[1].iter().all(|angle| *angle != 7.0));
 }
 
 /// More poses than one core gets at once. After the full pieces, fewer poses are left than there are lanes.
