@@ -22,7 +22,7 @@ type OutputColumns<M, C> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mecha
 pub(super) type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
 /// The column of one number of each pose of a mechanism, as lanes store it.
-type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>;
+pub(super) type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::Scalar>, W>;
 
 /// The number of chunks from which a column is long. One chunk more adds at most a part of 1/32 then.
 const LONG: usize = 32;

@@ -68,6 +68,7 @@ where
     Destination::<M, _>::nowhere().find(poses, outcomes.len())?;
     let mut targets = Targets(Vec::new());
     poses.each(&mut targets);
+    let whole = outcomes.len();
     let (mut rest, mut pieces) = (outcomes, Vec::new());
     let mut start = 0;
     while !rest.is_empty() {
@@ -85,7 +86,9 @@ where
         .into_par_iter()
         .map(|(mut targets, outcomes, range)| {
             let first = range.start;
-            let mut summary = batch.part(range).sweep(&mut targets, outcomes)?;
+            let mut piece = batch.part(range);
+            piece.whole = whole;
+            let mut summary = piece.sweep(&mut targets, outcomes)?;
             if let Some((index, _)) = &mut summary.first_failure {
                 *index += first;
             }

@@ -14,8 +14,7 @@
 
 use core::cell::Cell;
 
-use super::destination::{Destination, Entries, EntriesOf, LINE};
-use super::view::View;
+use super::destination::{Destination, Entries, EntriesOf, LINE, ViewOf};
 use crate::batch::lanes::Element;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
@@ -35,6 +34,9 @@ const CHUNKS: usize = 2;
 #[repr(align(64))]
 pub(super) struct Stage<E, const W: usize>([[E; W]; CHUNKS + 1]);
 
+/// The columns of all numbers, as chunks are stored in them.
+type Chunks<'s, M, const W: usize> = Destination<M, ViewOf<'s, M, W>>;
+
 /// The way of chunks into the columns of a batch, which leads over stages if that is faster.
 pub(super) struct Streams<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> {
     columns: &'s Destination<M, EntriesOf<'d, M>>,
@@ -47,7 +49,7 @@ pub(super) struct Streams<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize,
 struct Staged<'s, M: Mechanism<Scalar: Element>, const W: usize> {
     stages: Destination<M, EntriesOf<'s, M>>,
     /// The places for chunks on the stages.
-    chunks: Destination<M, View<'s, Cell<M::Scalar>, W>>,
+    chunks: Chunks<'s, M, W>,
     /// The pose with which the next chunk on the stages starts. It is `None` if nothing is on them.
     next: Option<usize>,
     /// The place of that chunk.
@@ -59,16 +61,17 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
     /// stages are compiled for these vectors only.
     const HAVE_LINES: bool = cfg!(all(feature = "std", target_arch = "x86_64")) && BITS == 8 * LINE;
 
-    /// The way into the columns of so many poses. Chunks from a given pose on may go to the stages.
+    /// The way into the columns of a batch, which may be a piece of one of so many poses. Chunks from a given pose on
+    /// may go to the stages.
     pub(super) fn new(
         columns: &'s Destination<M, EntriesOf<'d, M>>,
-        count: usize,
+        whole: usize,
         calm: usize,
         room: &'s mut Option<Destination<M, Stage<M::Scalar, W>>>,
         spare: &'s [Cell<M::Scalar>; W],
     ) -> Self {
         let mut staged = None;
-        if const { Self::HAVE_LINES } && columns.are_filled() && columns.bytes(count) >= LONG {
+        if const { Self::HAVE_LINES } && columns.are_filled() && columns.bytes(whole) >= LONG {
             let zero = M::Scalar::constant(0.0);
             let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
             staged = Some(Staged::new(columns, room, spare));
@@ -78,11 +81,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 
     /// Where a chunk that starts at a given pose is stored: into which columns, and at which pose of them.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn place<'p>(
-        &'p mut self,
-        start: usize,
-        direct: &'p Destination<M, View<'s, Cell<M::Scalar>, W>>,
-    ) -> (&'p Destination<M, View<'s, Cell<M::Scalar>, W>>, usize) {
+    pub(super) fn place<'p>(&'p mut self, start: usize, direct: &'p Chunks<'s, M, W>) -> (&'p Chunks<'s, M, W>, usize) {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
             && staged.has_place(start, self.columns, self.calm)

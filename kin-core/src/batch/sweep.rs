@@ -48,6 +48,8 @@ pub struct Batch<'a, M: Mechanism, G> {
     pub(super) inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
     pub(super) guide: G,
     pub(super) vectors: Vectors,
+    /// The number of poses of the batch that is solved with this one, if this is a piece of it; otherwise 0.
+    pub(super) whole: usize,
 }
 
 impl<'a, M: Mechanism> Batch<'a, M, InAssembly<M::Assembly>> {
@@ -62,6 +64,7 @@ impl<'a, M: Mechanism> Batch<'a, M, InAssembly<M::Assembly>> {
             inputs,
             guide: InAssembly(assembly),
             vectors: Vectors::widest(),
+            whole: 0,
         }
     }
 }
@@ -78,6 +81,7 @@ impl<'a, M: Mechanism> Batch<'a, M, Nearest<M::Unknowns<Column<'a, M::Scalar>>>>
             inputs,
             guide: Nearest(near),
             vectors: Vectors::widest(),
+            whole: 0,
         }
     }
 }
@@ -264,6 +268,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Batch<'a, M, G> {
         let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
         Batch {
             vectors: self.vectors,
+            whole: self.whole,
             parameters: Row::from_fn(|parameter| parameters[parameter].part(range.clone())),
             inputs: M::Inputs::from_fn(|input| {
                 let motion = inputs[input].as_ref();
@@ -417,7 +422,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             W
         };
         let mut stages = None;
-        let mut streams = Streams::<M, W, BITS>::new(alone.destination, count, second + W, &mut stages, &spare);
+        let whole = count.max(batch.whole);
+        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages, &spare);
         // the first pose without an outcome
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
