@@ -63,6 +63,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 
     /// The way into the columns of a batch, which may be a piece of one of so many poses. Chunks from a given pose on
     /// may go to the stages.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(
         columns: &'s Destination<M, EntriesOf<'d, M>>,
         whole: usize,
@@ -115,7 +116,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 
     /// Moves the last numbers into the columns.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn end(mut self) {
+    pub(super) fn end(&mut self) {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
         {
