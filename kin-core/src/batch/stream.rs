@@ -48,8 +48,6 @@ pub(super) struct Streams<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize,
 /// The stages of the columns that are wanted.
 struct Staged<'s, M: Mechanism<Scalar: Element>, const W: usize> {
     stages: Destination<M, EntriesOf<'s, M>>,
-    /// The places for chunks on the stages.
-    chunks: Chunks<'s, M, W>,
     /// The pose with which the next chunk on the stages starts. It is `None` if nothing is on them.
     next: Option<usize>,
     /// The place of that chunk.
@@ -69,27 +67,41 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
         whole: usize,
         calm: usize,
         room: &'s mut Option<Destination<M, Stage<M::Scalar, W>>>,
-        spare: &'s [Cell<M::Scalar>; W],
     ) -> Self {
         let mut staged = None;
         if const { Self::HAVE_LINES } && columns.are_filled() && columns.bytes(whole) >= LONG {
             let zero = M::Scalar::constant(0.0);
             let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
-            staged = Some(Staged::new(columns, room, spare));
+            staged = Some(Staged::new(columns, room));
         }
         Self { columns, staged, calm }
     }
 
-    /// Where a chunk that starts at a given pose is stored: into which columns, and at which pose of them.
+    /// Turns to the columns in which a chunk that starts at a given pose is stored, and returns the pose at which it
+    /// starts there.
+    ///
+    /// The columns are copied, because a choice between two references makes a small linkage a twentieth slower.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn place<'p>(&'p mut self, start: usize, direct: &'p Chunks<'s, M, W>) -> (&'p Chunks<'s, M, W>, usize) {
+    pub(super) fn turn(
+        &mut self,
+        start: usize,
+        chunks: &mut Chunks<'s, M, W>,
+        spare: &'s [Cell<M::Scalar>; W],
+    ) -> usize {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
-            && staged.has_place(start, self.columns, self.calm)
         {
-            return (&staged.chunks, staged.place * W);
+            if staged.next != Some(start) {
+                staged.unload(self.columns, 0);
+                *chunks = self.columns.in_chunks(spare);
+                if start < self.calm {
+                    return start;
+                }
+                *chunks = staged.load(self.columns, start, spare);
+            }
+            return staged.place * W;
         }
-        (direct, start)
+        start
     }
 
     /// Goes on after a chunk without failures.
@@ -104,12 +116,13 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 
     /// Moves the chunk that starts at a given pose into the columns, where poses that have failed are settled.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn interrupt(&mut self, start: usize) {
+    pub(super) fn interrupt(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>, spare: &'s [Cell<M::Scalar>; W]) {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
         {
             let chunk = if staged.next == Some(start) { W } else { 0 };
             staged.unload(self.columns, chunk);
+            *chunks = self.columns.in_chunks(spare);
             self.calm = start + CALM * W;
         }
     }
@@ -129,24 +142,17 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
     #[cold]
     #[inline(never)]
-    fn new(
-        columns: &Destination<M, EntriesOf<'_, M>>,
-        room: &'s mut Destination<M, Stage<M::Scalar, W>>,
-        spare: &'s [Cell<M::Scalar>; W],
-    ) -> Self {
-        let (mut stages, mut chunks) = (Destination::nowhere(), Destination::nowhere());
-        let rows = stages.rows_mut().zip(chunks.rows_mut());
-        for ((stages, chunks), (room, columns)) in rows.zip(room.rows_mut().zip(columns.rows())) {
-            for (index, (Stage(stage), column)) in room.iter_mut().zip(columns).enumerate() {
+    fn new(columns: &Destination<M, EntriesOf<'_, M>>, room: &'s mut Destination<M, Stage<M::Scalar, W>>) -> Self {
+        let mut stages = Destination::nowhere();
+        for ((stages, room), columns) in stages.rows_mut().zip(room.rows_mut()).zip(columns.rows()) {
+            for ((stage, Stage(room)), column) in stages.iter_mut().zip(room).zip(columns) {
                 if !column.is_empty() {
-                    stages[index] = Cell::from_mut(stage.as_flattened_mut()).as_slice_of_cells();
-                    chunks[index] = &stages[index][W..];
+                    *stage = Cell::from_mut(room.as_flattened_mut()).as_slice_of_cells();
                 }
             }
         }
         Self {
             stages,
-            chunks: chunks.in_chunks(spare),
             next: None,
             place: 0,
         }
@@ -168,27 +174,28 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
         }
     }
 
-    /// Whether a chunk that starts at a given pose goes to the stages, from the pose `calm` on.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn has_place(&mut self, start: usize, columns: &Destination<M, EntriesOf<'_, M>>, calm: usize) -> bool {
-        if self.next != Some(start) {
-            self.unload(columns, 0);
-            if start >= calm {
-                self.load(columns, start);
-            }
-        }
-        self.next.is_some()
-    }
-
-    /// Begins with the chunk that starts at a given pose. The numbers before it are in the columns.
+    /// Begins with the chunk that starts at a given pose. The numbers before it are in the columns. Returns the places
+    /// of chunks on the stages.
     #[cold]
     #[inline(never)]
-    fn load(&mut self, columns: &Destination<M, EntriesOf<'_, M>>, start: usize) {
+    fn load(
+        &mut self,
+        columns: &Destination<M, EntriesOf<'_, M>>,
+        start: usize,
+        spare: &'s [Cell<M::Scalar>; W],
+    ) -> Chunks<'s, M, W> {
         self.each(columns, |column, stage| {
             let before = in_line_before(column, start);
             copy(&column[start - before..start], &stage[W - before..]);
         });
         (self.next, self.place) = (Some(start), 0);
+        let mut places = Destination::nowhere();
+        for (places, stages) in places.rows_mut().zip(self.stages.rows()) {
+            for (place, stage) in places.iter_mut().zip(stages) {
+                *place = stage.get(W..).unwrap_or_default();
+            }
+        }
+        places.in_chunks(spare)
     }
 
     /// Copies the numbers that are not in the columns yet into them, with so many of the next chunk.

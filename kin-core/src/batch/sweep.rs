@@ -384,7 +384,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, BITS, M::Scalar>::constant(0.0);
         let spare = core::array::from_fn(|_| Cell::new(M::Scalar::zero()));
-        let destination = alone.destination.in_chunks(&spare);
+        let mut destination = alone.destination.in_chunks(&spare);
         let mut of_dyads = M::Dyads::splat(View::same(&spare));
         look_at_entries(of_dyads.as_mut(), alone.angles.of_dyads.as_ref(), &spare);
         let angles = TransmissionColumns {
@@ -423,7 +423,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         };
         let mut stages = None;
         let whole = count.max(batch.whole);
-        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages, &spare);
+        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages);
         // the first pose without an outcome
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
@@ -459,8 +459,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                let (columns, first) = streams.place(start, &destination);
-                sum = columns.store(first, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+                let first = streams.turn(start, &mut destination, &spare);
+                sum = destination.store(first, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
                 if has_angles {
                     gather(&mut dimensions, parameters.as_ref(), start);
                     gather_all(&mut motions, inputs.as_ref(), start);
@@ -473,7 +473,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                     continue;
                 }
             }
-            streams.interrupt(start);
+            streams.interrupt(start, &mut destination, &spare);
             destination.clear(start, sum.gaps());
             angles.clear(start, sum.gaps());
             gather(&mut dimensions, parameters.as_ref(), start);
