@@ -61,6 +61,13 @@ fn agree(found: f64, expected: f64) -> bool {
     (found - expected).abs() <= 1e-11 * expected.abs().max(1.0) || (found.is_nan() && expected.is_nan())
 }
 
+/// The bits of numbers. The sign of a NaN says nothing, and an optimiser may choose it.
+fn bits<T: Copy + Into<f64>>(column: &[T]) -> Vec<u64> {
+    let number = |number: &T| (*number).into();
+    let bits = |number: f64| if number.is_nan() { f64::NAN } else { number }.to_bits();
+    column.iter().map(number).map(bits).collect()
+}
+
 #[test]
 fn four_bars_of_as_many_poses_as_you_like() {
     for vectors in vectors() {
@@ -186,7 +193,6 @@ fn check_long_columns<T: Element + Into<f64>>(line: usize) {
     const LONG: usize = 4001;
     const SHORT: usize = 401;
     let of = |number: f64| T::constant(number);
-    let bits = |column: &[T]| -> Vec<u64> { column.iter().map(|number| (*number).into().to_bits()).collect() };
     let beside = of(7.0);
     for (failures, assembly) in [
         ([].as_slice(), Assembly::Open),
@@ -295,7 +301,6 @@ fn all_cores_write_what_one_writes() {
         assert_eq!(summary.unwrap().solved, parallel.unwrap().solved);
         assert_eq!(outcomes, other_outcomes);
         for order in 0..5 {
-            let bits = |column: &[f64]| column.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(&poses.theta4[order]), bits(&other_poses.theta4[order]));
         }
     }
