@@ -162,10 +162,7 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
     /// cache: a four-bar linkage takes a third longer. The second chunk overlaps the first one for this, which pays in
     /// columns of many chunks.
     pub(super) fn second_chunk<const W: usize>(&self) -> usize {
-        let (unknowns, outputs) = (self.unknowns.as_ref(), self.outputs.as_ref());
-        let columns = unknowns.iter().flat_map(AsRef::as_ref);
-        let mut columns = columns.chain(outputs.iter().flat_map(AsRef::as_ref));
-        let column = columns.find(|column| column.len() >= LONG * W);
+        let column = self.rows().flatten().find(|column| column.len() >= LONG * W);
         match column.map_or(0, |column| column.as_ptr().align_offset(LINE) % W) {
             0 => W,
             second => second,

@@ -40,6 +40,8 @@ type Chunks<'s, M, const W: usize> = Destination<M, ViewOf<'s, M, W>>;
 /// The way of chunks into the columns of a batch, which leads over stages if that is faster.
 pub(super) struct Streams<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> {
     columns: &'s Destination<M, EntriesOf<'d, M>>,
+    /// The place for numbers that are not wanted.
+    spare: &'s [Cell<M::Scalar>; W],
     staged: Option<Staged<'s, M, W>>,
     /// The pose from which on chunks may go to the stages.
     calm: usize,
@@ -67,6 +69,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
         whole: usize,
         calm: usize,
         room: &'s mut Option<Destination<M, Stage<M::Scalar, W>>>,
+        spare: &'s [Cell<M::Scalar>; W],
     ) -> Self {
         let mut staged = None;
         if const { Self::HAVE_LINES } && columns.are_filled() && columns.bytes(whole) >= LONG {
@@ -74,7 +77,12 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
             let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
             staged = Some(Staged::new(columns, room));
         }
-        Self { columns, staged, calm }
+        Self {
+            columns,
+            spare,
+            staged,
+            calm,
+        }
     }
 
     /// Turns to the columns in which a chunk that starts at a given pose is stored, and returns the pose at which it
@@ -82,22 +90,18 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
     ///
     /// The columns are copied, because a choice between two references makes a small linkage a twentieth slower.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn turn(
-        &mut self,
-        start: usize,
-        chunks: &mut Chunks<'s, M, W>,
-        spare: &'s [Cell<M::Scalar>; W],
-    ) -> usize {
+    pub(super) fn turn(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>) -> usize {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
         {
             if staged.next != Some(start) {
-                staged.unload(self.columns, 0);
-                *chunks = self.columns.in_chunks(spare);
+                if staged.unload(self.columns, 0) {
+                    *chunks = self.columns.in_chunks(self.spare);
+                }
                 if start < self.calm {
                     return start;
                 }
-                *chunks = staged.load(self.columns, start, spare);
+                *chunks = staged.load(self.columns, start, self.spare);
             }
             return staged.place * W;
         }
@@ -116,13 +120,14 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
 
     /// Moves the chunk that starts at a given pose into the columns, where poses that have failed are settled.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn interrupt(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>, spare: &'s [Cell<M::Scalar>; W]) {
+    pub(super) fn interrupt(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>) {
         if const { Self::HAVE_LINES }
             && let Some(staged) = &mut self.staged
         {
             let chunk = if staged.next == Some(start) { W } else { 0 };
-            staged.unload(self.columns, chunk);
-            *chunks = self.columns.in_chunks(spare);
+            if staged.unload(self.columns, chunk) {
+                *chunks = self.columns.in_chunks(self.spare);
+            }
             self.calm = start + CALM * W;
         }
     }
@@ -198,17 +203,20 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
         places.in_chunks(spare)
     }
 
-    /// Copies the numbers that are not in the columns yet into them, with so many of the next chunk.
+    /// Copies the numbers that are not in the columns yet into them, with so many of the next chunk. Returns whether
+    /// chunks went to the stages.
     #[cold]
     #[inline(never)]
-    fn unload(&mut self, columns: &Destination<M, EntriesOf<'_, M>>, more: usize) {
-        if let Some(next) = self.next.take() {
-            let place = (self.place + 1) * W;
-            self.each(columns, |column, stage| {
-                let before = in_line_before(column, next);
-                copy(&stage[place - before..place + more], &column[next - before..]);
-            });
-        }
+    fn unload(&mut self, columns: &Destination<M, EntriesOf<'_, M>>, more: usize) -> bool {
+        let Some(next) = self.next.take() else {
+            return false;
+        };
+        let place = (self.place + 1) * W;
+        self.each(columns, |column, stage| {
+            let before = in_line_before(column, next);
+            copy(&stage[place - before..place + more], &column[next - before..]);
+        });
+        true
     }
 
     /// Stores the lines that end in the next chunk.

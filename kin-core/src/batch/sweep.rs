@@ -423,7 +423,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         };
         let mut stages = None;
         let whole = count.max(batch.whole);
-        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages);
+        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages, &spare);
         // the first pose without an outcome
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
@@ -459,7 +459,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                let first = streams.turn(start, &mut destination, &spare);
+                let first = streams.turn(start, &mut destination);
                 sum = destination.store(first, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
                 if has_angles {
                     gather(&mut dimensions, parameters.as_ref(), start);
@@ -473,7 +473,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
                     continue;
                 }
             }
-            streams.interrupt(start, &mut destination, &spare);
+            streams.interrupt(start, &mut destination);
             destination.clear(start, sum.gaps());
             angles.clear(start, sum.gaps());
             gather(&mut dimensions, parameters.as_ref(), start);
