@@ -23,7 +23,7 @@ export function createFrames(parent, view, moved) {
       `<style>${view.style}</style></head><body>${view.markup}` +
       `<script type="module">${view.script}</script></body></html>`;
     parent.append(element);
-    return { element, isReady: false, isTouched: false, report: null, kept: null, shown: null };
+    return { element, isReady: false, report: null, kept: null, shown: null };
   }
 
   function keptBy(frame) {
@@ -64,7 +64,7 @@ export function createFrames(parent, view, moved) {
         begin(frame);
       }
     } else if (data.shown && frame === back) {
-      if (front?.isTouched) {
+      if (front?.element.contentDocument.body.dataset.touched) {
         // it was used after it gave its view: once more, with the present one
         back.element.remove();
         load(back.report, back.shown);
@@ -76,10 +76,7 @@ export function createFrames(parent, view, moved) {
       front.element.classList.remove("behind");
       front.shown(true);
     } else if (data.kept !== undefined) {
-      frame.isTouched = false;
       frame.kept?.(data.kept);
-    } else if (data.touched) {
-      frame.isTouched = true;
     } else if (data.design && frame === front) {
       moved(data.design);
     }

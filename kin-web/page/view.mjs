@@ -37,15 +37,19 @@ function giveView() {
   if (isAsked && pressed.size === 0 && !isEdited) {
     isAsked = false;
     isGiven = true;
+    delete document.body.dataset.touched;
     tell({ kept: page?.keep() ?? null });
   }
 }
 
-/** Tells that a view that was given may be an old one. */
+/**
+ * Marks that a view that was given may be an old one. The shell reads the mark itself: a message could come after the
+ * frame has been replaced, and a press would be lost.
+ */
 function touched() {
   if (isGiven) {
     isGiven = false;
-    tell({ touched: true });
+    document.body.dataset.touched = "yes";
   }
 }
 

@@ -184,6 +184,40 @@ test("a slider that is held stays in its place while a changed text moves", asyn
   assert.deepEqual(faults, []);
 });
 
+test("a press is not lost while the frame that comes next is ready already", async () => {
+  const { page, faults } = await opened();
+  // a frame listens to its sliders right before it tells that it is shown
+  await page.addInitScript(() => {
+    const listen = EventTarget.prototype.addEventListener;
+    EventTarget.prototype.addEventListener = function (kind, ...rest) {
+      if (this.id === "sliders") {
+        queueMicrotask(() => top.pressFront?.());
+      }
+      return listen.call(this, kind, ...rest);
+    };
+  });
+  await page.reload();
+  await page.waitForFunction(() => document.body.dataset.moved && document.getElementById("state").textContent === "");
+  await page.evaluate(() => {
+    window.pressFront = () => {
+      window.pressFront = null;
+      window.pressed = document.querySelector("#moving iframe:not(.behind)");
+      window.pressed.contentWindow.dispatchEvent(new PointerEvent("pointerdown", { pointerId: 7 }));
+    };
+  });
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("// a");
+  await page.waitForFunction(() => window.pressFront === null);
+  await page.waitForTimeout(200);
+  assert.ok(await page.evaluate(() => window.pressed.isConnected && !window.pressed.classList.contains("behind")));
+  await page.evaluate(() => {
+    window.pressed.contentWindow.dispatchEvent(new PointerEvent("pointerup", { pointerId: 7 }));
+  });
+  await page.waitForFunction(() => !window.pressed.isConnected);
+  assert.deepEqual(faults, []);
+});
+
 test("a number of the text keeps its unit, also as a coordinate, and stays if another one changes", async () => {
   const { page, faults } = await opened();
   await typeText(
