@@ -163,27 +163,23 @@ fn contest<M: ThroughSnap>(environment: &Environment, course: &Course<M>) -> Vec
     times
 }
 
-/// A batch of all poses, whose columns are made beforehand.
+/// A batch of all poses. The columns are made beforehand, and are rows of an array as those of the other packages are.
 fn batch<M: ThroughSnap>(mechanism: M, wanted: &[Wanted<M>], vectors: Vectors) -> impl FnMut() {
     let functions = Of::<M>::FUNCTIONS;
+    let description = functions.description();
     let count = wanted.len();
-    let inputs: Vec<[Vec<f64>; ORDERS]> = (0..M::DESCRIPTION.inputs.len())
-        .map(|input| core::array::from_fn(|order| wanted.iter().map(|own| own.inputs[input][order]).collect()))
-        .collect();
-    let near: Vec<Vec<f64>> = (0..M::DESCRIPTION.unknowns.len())
-        .map(|unknown| {
-            wanted
-                .iter()
-                .filter_map(|own| own.near.map(|near| near[unknown]))
-                .collect()
-        })
-        .collect();
+    let inputs = (0..description.inputs.len())
+        .flat_map(|input| (0..ORDERS).flat_map(move |order| wanted.iter().map(move |own| own.inputs[input][order])));
+    let near = (0..description.unknowns.len())
+        .flat_map(|unknown| wanted.iter().filter_map(move |own| own.near.map(|near| near[unknown])));
+    let given: Vec<f64> = inputs.chain(near).collect();
     let assembly = wanted[0].assembly;
-    let slots = (0..functions.description().unknowns.len())
-        .flat_map(|index| (0..ORDERS).map(move |order| Slot::Unknown(index, order)));
-    let outputs = (0..functions.description().outputs.len())
-        .flat_map(|index| (0..ORDERS).map(move |order| Slot::Output(index, order)));
-    let mut found: Vec<(Slot, Vec<f64>)> = slots.chain(outputs).map(|slot| (slot, vec![0.0; count])).collect();
+    let unknowns =
+        (0..description.unknowns.len()).flat_map(|index| (0..ORDERS).map(move |order| Slot::Unknown(index, order)));
+    let outputs =
+        (0..description.outputs.len()).flat_map(|index| (0..ORDERS).map(move |order| Slot::Output(index, order)));
+    let slots: Vec<Slot> = unknowns.chain(outputs).collect();
+    let mut found = vec![0.0; slots.len() * count];
     let mut outcomes = vec![Outcome::Unsolved; count];
     move || {
         let parameters: Vec<Column<'_>> = black_box(mechanism)
@@ -192,27 +188,19 @@ fn batch<M: ThroughSnap>(mechanism: M, wanted: &[Wanted<M>], vectors: Vectors) -
             .iter()
             .map(|value| Column::Same(*value))
             .collect();
-        let columns: Vec<[Column<'_>; ORDERS]> = inputs
-            .iter()
-            .map(|motion| core::array::from_fn(|order| Column::Each(black_box(&motion[order]))))
-            .collect();
-        let columns: Vec<&[Column<'_>]> = columns.iter().map(<[_; ORDERS]>::as_slice).collect();
-        let near: Vec<Column<'_>> = near.iter().map(|column| Column::Each(column)).collect();
+        let columns: Vec<Column<'_>> = black_box(&given).chunks(count).map(Column::Each).collect();
+        let (inputs, near) = columns.split_at(ORDERS * description.inputs.len());
+        let inputs: Vec<&[Column<'_>]> = inputs.chunks(ORDERS).collect();
         let given = GivenColumns {
             parameters: &parameters,
-            inputs: &columns,
+            inputs: &inputs,
             choice: if M::ASSEMBLY_COUNT == 0 {
-                ColumnChoice::Near(&near)
+                ColumnChoice::Near(near)
             } else {
                 ColumnChoice::Assembly(assembly)
             },
         };
-        let mut found = WantedColumns::new(
-            found
-                .iter_mut()
-                .map(|(slot, column)| (*slot, &mut column[..]))
-                .collect(),
-        );
+        let mut found = WantedColumns::new(slots.iter().copied().zip(found.chunks_mut(count)).collect());
         let summary = functions.solve_batch(given, &mut found, &mut outcomes, vectors);
         assert_eq!(summary.expect("the columns are of one length").solved, count);
         black_box((&mut found, &mut outcomes));
