@@ -214,10 +214,39 @@ impl TrigonometricPolynomial {
     }
 
     /// Drops the monomials whose coefficients vanish by an identity that the normal form does not recognise.
+    ///
+    /// The coefficient of a cosine that vanishes is half the difference of two equal coefficients, as in
+    /// (a cos x)² + (b sin x)² = (a² + b²)/2 + (a² - b²)/2 cos 2x. Added to their mean or subtracted from it, it leaves
+    /// one of them.
     fn cleaned(mut self, graph: &mut Graph) -> Self {
-        self.0.retain(|_, coefficient| !graph.vanishes(*coefficient));
+        let mut dropped = Vec::new();
+        self.0.retain(|monomial, &mut coefficient| {
+            let vanishes = graph.vanishes(coefficient);
+            if vanishes && matches!(monomial.harmonic, Harmonic::Cosine(_)) {
+                let powers = monomial.powers.clone();
+                let harmonic = Harmonic::One;
+                dropped.push((Monomial { powers, harmonic }, coefficient));
+            }
+            !vanishes
+        });
+        for (monomial, zero) in dropped {
+            if let Some(coefficient) = self.0.get_mut(&monomial) {
+                let [plus, minus] = [1.0, -1.0].map(|sign| graph.linear(0.0, &[(*coefficient, 1.0), (zero, sign)]));
+                let all = [*coefficient, plus, minus].into_iter();
+                *coefficient = all.min_by_key(|&node| size(graph, node)).expect("there are three");
+            }
+        }
         self
     }
+}
+
+/// The number of functions in an expression, and of all its parts.
+fn size(graph: &Graph, node: Node) -> (usize, usize) {
+    let parts = graph.reachable(&[node]);
+    let calls = parts
+        .iter()
+        .filter(|&&part| matches!(graph.kind(part), NodeKind::Call(..)));
+    (calls.count(), parts.len())
 }
 
 /// A product of harmonics as a sum of harmonics, each with its factor.
@@ -560,6 +589,28 @@ mod tests {
         assert!(polynomial.is_constant());
         let value = polynomial.free_term(&mut graph);
         assert!(graph.is_one(value));
+    }
+
+    /// Of two coefficients that are equal by an identity, here (u² + v²)² = (u² - v²)² + (2 u v)², the shorter one is
+    /// left.
+    #[test]
+    fn of_equal_coefficients_one_is_left() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let [u, v] = [0, 1].map(|index| graph.symbol(Symbol::Parameter(index)));
+        let [u2, v2] = [u, v].map(|part| graph.power(part, 2));
+        let (sum, difference, product) = (graph.add(u2, v2), graph.subtract(u2, v2), graph.multiply(u2, v2));
+        let [short, square] = [sum, difference].map(|part| graph.power(part, 2));
+        let long = graph.linear(0.0, &[(square, 1.0), (product, 4.0)]);
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        for (of_cosine, of_sine) in [(short, long), (long, short)] {
+            let terms =
+                [(of_cosine, cosine), (of_sine, sine)].map(|(factor, unit)| graph.product(&[(factor, 1), (unit, 2)]));
+            let whole = graph.sum(&terms);
+            let polynomial = Expansion::new(&mut graph, Variables::AllUnknowns).equation(whole);
+            assert!(polynomial.is_constant());
+            assert_eq!(polynomial.free_term(&mut graph), short);
+        }
     }
 
     /// Whether a sum of this number of unknowns, raised to this power, is multiplied out.

@@ -117,6 +117,18 @@ mod tests {
         assert_eq!(found, ["cos_tilt", "length_cos_tilt"]);
     }
 
+    /// A term of a sum that needs the parameters alone is prepared, and not only its sine.
+    #[test]
+    fn terms_are_prepared() {
+        let found = names(quote! {
+            struct Tilted { tilt: Angle, lift: Length, length: Length }
+            input theta: Angle;
+            unknown s: Length;
+            s == lift * cos(tilt) + length * sin(theta);
+        });
+        assert_eq!(found, ["cos_tilt", "lift_cos_tilt"]);
+    }
+
     /// Few products are found as fast as they are read.
     #[test]
     fn products_alone_are_not_prepared() {

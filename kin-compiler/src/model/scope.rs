@@ -171,11 +171,13 @@ impl<'a> Scope<'a> {
         if is_body {
             return format!("`{word}` is a body and no quantity: write one of its points");
         }
+        // any letter resembles any other
+        let is_like_another = likely.is_some_and(|near| near.to_ascii_lowercase().contains(word));
         let near = if word == "π" {
             "; write `PI`".to_owned()
-        } else if likely.is_none() && matches!(word, "i" | "j") {
+        } else if !is_like_another && matches!(word, "i" | "j") {
             "; a complex number is a vector here: write `vec2(x, y)`, or `cis(angle)` for a turn".to_owned()
-        } else if likely.is_none() && matches!(word, "t" | "time") {
+        } else if !is_like_another && matches!(word, "t" | "time") {
             format!("; time is no quantity by itself: drive the mechanism by an input, `input {word}: Scalar;`")
         } else if word.eq_ignore_ascii_case("tau") {
             "; write `2 * PI` for the full turn".to_owned()

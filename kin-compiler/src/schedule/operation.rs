@@ -76,6 +76,8 @@ pub(super) struct OperationList {
     pub(super) list: Vec<Operation>,
     /// When the value of each operation is known.
     times: Vec<Time>,
+    /// Whether a division, a function or a step takes part in the value of each operation.
+    take_long: Vec<bool>,
     /// When the results of steps are known.
     symbols: HashMap<Symbol, Time>,
     known: HashMap<Operation, OperationId>,
@@ -93,6 +95,12 @@ impl OperationList {
         }
         let value = OperationId(self.list.len());
         self.times.push(self.time_of(&operation));
+        let takes_long = match &operation {
+            Operation::Divide(_) | Operation::Call(..) => true,
+            Operation::Leaf(_) => self.times[value.0] > 0,
+            _ => operation.operands().iter().any(|operand| self.take_long[operand.0]),
+        };
+        self.take_long.push(takes_long);
         self.list.push(operation.clone());
         self.known.insert(operation, value);
         value
@@ -112,8 +120,13 @@ impl OperationList {
         }
     }
 
+    /// Whether a division, a function or the result of a step takes part in a value.
+    pub(super) fn takes_long(&self, value: OperationId) -> bool {
+        self.take_long[value.0]
+    }
+
     /// Whether a value depends on more than the parameters.
-    fn is_changing(&self, value: OperationId) -> bool {
+    pub(super) fn is_changing(&self, value: OperationId) -> bool {
         self.times[value.0] >= START
     }
 

@@ -367,6 +367,11 @@ impl Scheduler<'_> {
 
     /// The name of a value if it has or needs one, otherwise its expression.
     fn expression(&mut self, value: OperationId) -> Expression {
+        self.operand(value, false)
+    }
+
+    /// The same. A value that is calculated once for many poses has a name.
+    fn operand(&mut self, value: OperationId, is_prepared: bool) -> Expression {
         work::iteration();
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
@@ -391,7 +396,7 @@ impl Scheduler<'_> {
         }
         let usage = self.usage(value);
         let is_shared = usage.count > 1 && self.includes(Pass::CommonSubexpressions);
-        if is_shared || usage.last_stage > self.stage || self.is_long(value) {
+        if is_shared || usage.last_stage > self.stage || is_prepared || self.is_long(value) {
             let expression = self.unfold(value);
             let symbol = self.bind(value);
             self.steps.push(Step::Define {
@@ -434,7 +439,11 @@ impl Scheduler<'_> {
     fn unfold(&mut self, value: OperationId) -> Expression {
         let operation = self.operations.operation(value).clone();
         self.charge(operation.cost());
-        let mut part = |operand: OperationId| Box::new(self.expression(operand));
+        let changes = self.stage == 0 && self.operations.is_changing(value);
+        let mut part = |operand: OperationId| {
+            let is_prepared = changes && !self.operations.is_changing(operand) && self.operations.takes_long(operand);
+            Box::new(self.operand(operand, is_prepared))
+        };
         match operation {
             Operation::Number(number) => Expression::Number(number.get()),
             Operation::Pi => Expression::Pi,

@@ -32,13 +32,27 @@ pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, u
             height,
         });
     }
-    // a change of the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was
-    // typed
-    if graph.probes_negative(a) {
-        let (a, b, c) = (graph.negate(a), graph.negate(b), graph.negate(c));
-        return Some(ClosedForm::CosineSine { unknown, a, b, c });
-    }
+    // Both coefficients without the number that they share, and c divided by it, are one multiplication less. A change
+    // of the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was typed.
+    let shared = [a, b].map(|coefficient| shared_number(graph, coefficient));
+    let size = if shared[0] == shared[1] { shared[0] } else { 1.0 };
+    let divisor = if graph.probes_negative(a) { -size } else { size };
+    let [a, b, c] = [a, b, c].map(|part| graph.scale(1.0 / divisor, part));
     Some(ClosedForm::CosineSine { unknown, a, b, c })
+}
+
+/// The size of the number by which each term of an expression is multiplied, or 1 if there are several.
+fn shared_number(graph: &Graph, node: Node) -> f64 {
+    let NodeKind::Sum(constant, terms) = graph.kind(node) else {
+        return 1.0;
+    };
+    let mut sizes = terms.iter().map(|&(_, coefficient)| coefficient.get().abs());
+    let first = sizes.next().unwrap_or(1.0);
+    if constant.get() == 0.0 && sizes.all(|size| size == first) {
+        first
+    } else {
+        1.0
+    }
 }
 
 /// Divides two expressions by their common factors. Numbers go to the numerator.
@@ -55,4 +69,28 @@ fn quotient(graph: &mut Graph, above: Node, below: Node) -> (Node, Node) {
         .collect();
     let below = graph.product(&divisors);
     (graph.multiply(quotient, below), below)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Expansion, Variables};
+
+    /// 2 p cos x - 2 q sin x + r == 0, typed with either sign.
+    #[test]
+    fn a_number_that_both_coefficients_share_is_divided_out() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let [p, q, r] = [0, 1, 2].map(|index| graph.symbol(Symbol::Parameter(index)));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let (along, across) = (graph.multiply(p, cosine), graph.multiply(q, sine));
+        for sign in [1.0, -1.0] {
+            let typed = graph.linear(0.0, &[(along, 2.0 * sign), (across, -2.0 * sign), (r, sign)]);
+            let equation = Expansion::new(&mut graph, Variables::AllUnknowns).equation(typed);
+            let Some(ClosedForm::CosineSine { a, b, c, .. }) = recognise(&mut graph, &equation, 0) else {
+                panic!("it is linear in the cosine and the sine");
+            };
+            assert_eq!((a, b, c), (p, graph.negate(q), graph.scale(-0.5, r)));
+        }
+    }
 }

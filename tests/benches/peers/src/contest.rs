@@ -19,7 +19,7 @@ use crate::race::Race;
 use crate::solved::Wanted;
 
 /// How often each contender has its turn, on a short and on a long course.
-const TURNS: [usize; 2] = [100, 3];
+const TURNS: [usize; 2] = [100, 20];
 
 /// The orders of a motion through snap.
 const ORDERS: usize = 5;
