@@ -32,8 +32,8 @@ pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, u
             height,
         });
     }
-    // Both coefficients without the number that they share, and c divided by it, are one multiplication less. A change
-    // of the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was typed.
+    // Both coefficients without a number that they share, and c divided by it, are one multiplication less. A change of
+    // the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was typed.
     let shared = [a, b].map(|coefficient| shared_number(graph, coefficient));
     let size = if shared[0] == shared[1] { shared[0] } else { 1.0 };
     let divisor = if graph.probes_negative(a) { -size } else { size };
@@ -41,14 +41,16 @@ pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, u
     Some(ClosedForm::CosineSine { unknown, a, b, c })
 }
 
-/// The size of the number by which each term of an expression is multiplied, or 1 if there are several.
+/// The power of two by which each term of an expression is multiplied, up to its sign, or 1. By another number the
+/// quotients would be rounded.
 fn shared_number(graph: &Graph, node: Node) -> f64 {
     let NodeKind::Sum(constant, terms) = graph.kind(node) else {
         return 1.0;
     };
     let mut sizes = terms.iter().map(|&(_, coefficient)| coefficient.get().abs());
     let first = sizes.next().unwrap_or(1.0);
-    if constant.get() == 0.0 && sizes.all(|size| size == first) {
+    let is_power = first.is_normal() && (1.0 / first).is_normal() && first.to_bits() << 12 == 0;
+    if is_power && constant.get() == 0.0 && sizes.all(|size| size == first) {
         first
     } else {
         1.0
@@ -76,21 +78,23 @@ mod tests {
     use super::*;
     use crate::algebra::{Expansion, Variables};
 
-    /// 2 p cos x - 2 q sin x + r == 0, typed with either sign.
+    /// 2 p cos x - 2 q sin x + r == 0, typed with either sign. A seventh is no `f64`.
     #[test]
-    fn a_number_that_both_coefficients_share_is_divided_out() {
+    fn a_power_of_two_that_both_coefficients_share_is_divided_out() {
         let mut graph = Graph::new();
         let x = graph.symbol(Symbol::Unknown(0));
         let [p, q, r] = [0, 1, 2].map(|index| graph.symbol(Symbol::Parameter(index)));
         let (cosine, sine) = (graph.cosine(x), graph.sine(x));
         let (along, across) = (graph.multiply(p, cosine), graph.multiply(q, sine));
-        for sign in [1.0, -1.0] {
-            let typed = graph.linear(0.0, &[(along, 2.0 * sign), (across, -2.0 * sign), (r, sign)]);
+        for (number, sign) in [(2.0, 1.0), (2.0, -1.0), (0.25, -1.0), (7.0, 1.0)] {
+            let typed = graph.linear(0.0, &[(along, number * sign), (across, -number * sign), (r, sign)]);
             let equation = Expansion::new(&mut graph, Variables::AllUnknowns).equation(typed);
             let Some(ClosedForm::CosineSine { a, b, c, .. }) = recognise(&mut graph, &equation, 0) else {
                 panic!("it is linear in the cosine and the sine");
             };
-            assert_eq!((a, b, c), (p, graph.negate(q), graph.scale(-0.5, r)));
+            let (factor, rest) = if number == 7.0 { (7.0, 1.0) } else { (1.0, number) };
+            assert_eq!((a, b), (graph.scale(factor, p), graph.scale(-factor, q)));
+            assert_eq!(c, graph.scale(-1.0 / rest, r));
         }
     }
 }
