@@ -231,8 +231,8 @@ impl TrigonometricPolynomial {
         });
         for (monomial, zero) in dropped {
             if let Some(coefficient) = self.0.get_mut(&monomial) {
-                let [plus, minus] = [1.0, -1.0].map(|sign| graph.linear(0.0, &[(*coefficient, 1.0), (zero, sign)]));
-                let all = [*coefficient, plus, minus].into_iter();
+                let mean = *coefficient;
+                let all = [mean, graph.add(mean, zero), graph.subtract(mean, zero)].into_iter();
                 *coefficient = all.min_by_key(|&node| size(graph, node)).expect("there are three");
             }
         }

@@ -15,11 +15,14 @@ use crate::work;
 /// The largest number of operations in an expression. Longer ones are broken up.
 const READABLE: usize = 10;
 
-/// The number of uses of a value, and the last stage that uses it.
+/// The uses of a value.
 #[derive(Clone, Copy, Default)]
 struct Usage {
     count: usize,
     last_stage: usize,
+    /// Whether the value needs the parameters alone and takes long, and is part of one that changes: it is calculated
+    /// once for many poses.
+    is_prepared: bool,
 }
 
 /// The state of scheduling.
@@ -187,8 +190,14 @@ impl Scheduler<'_> {
         if usage.count > 1 {
             return;
         }
+        let changes = stage == 0 && self.operations.is_changing(value);
         for index in 0..self.operations.operation(value).operands().len() {
-            self.touch(self.operations.operation(value).operands()[index], stage);
+            let operand = self.operations.operation(value).operands()[index];
+            self.touch(operand, stage);
+            let mut usage = self.usage(operand);
+            usage.is_prepared |=
+                changes && !self.operations.is_changing(operand) && self.operations.takes_long(operand);
+            self.usage.insert(operand, usage);
         }
     }
 
@@ -367,11 +376,6 @@ impl Scheduler<'_> {
 
     /// The name of a value if it has or needs one, otherwise its expression.
     fn expression(&mut self, value: OperationId) -> Expression {
-        self.operand(value, false)
-    }
-
-    /// The same. A value that is calculated once for many poses has a name.
-    fn operand(&mut self, value: OperationId, is_prepared: bool) -> Expression {
         work::iteration();
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
@@ -396,7 +400,7 @@ impl Scheduler<'_> {
         }
         let usage = self.usage(value);
         let is_shared = usage.count > 1 && self.includes(Pass::CommonSubexpressions);
-        if is_shared || usage.last_stage > self.stage || is_prepared || self.is_long(value) {
+        if is_shared || usage.last_stage > self.stage || usage.is_prepared || self.is_long(value) {
             let expression = self.unfold(value);
             let symbol = self.bind(value);
             self.steps.push(Step::Define {
@@ -439,11 +443,7 @@ impl Scheduler<'_> {
     fn unfold(&mut self, value: OperationId) -> Expression {
         let operation = self.operations.operation(value).clone();
         self.charge(operation.cost());
-        let changes = self.stage == 0 && self.operations.is_changing(value);
-        let mut part = |operand: OperationId| {
-            let is_prepared = changes && !self.operations.is_changing(operand) && self.operations.takes_long(operand);
-            Box::new(self.operand(operand, is_prepared))
-        };
+        let mut part = |operand: OperationId| Box::new(self.expression(operand));
         match operation {
             Operation::Number(number) => Expression::Number(number.get()),
             Operation::Pi => Expression::Pi,

@@ -34,27 +34,27 @@ pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, u
     }
     // Both coefficients without a number that they share, and c divided by it, are one multiplication less. A change of
     // the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was typed.
-    let shared = [a, b].map(|coefficient| shared_number(graph, coefficient));
-    let size = if shared[0] == shared[1] { shared[0] } else { 1.0 };
+    let size = shared_number(graph, [a, b]).unwrap_or(1.0);
     let divisor = if graph.probes_negative(a) { -size } else { size };
     let [a, b, c] = [a, b, c].map(|part| graph.scale(1.0 / divisor, part));
     Some(ClosedForm::CosineSine { unknown, a, b, c })
 }
 
-/// The power of two by which each term of an expression is multiplied, up to its sign, or 1. By another number the
-/// quotients would be rounded.
-fn shared_number(graph: &Graph, node: Node) -> f64 {
-    let NodeKind::Sum(constant, terms) = graph.kind(node) else {
-        return 1.0;
-    };
-    let mut sizes = terms.iter().map(|&(_, coefficient)| coefficient.get().abs());
-    let first = sizes.next().unwrap_or(1.0);
-    let is_power = first.is_normal() && (1.0 / first).is_normal() && first.to_bits() << 12 == 0;
-    if is_power && constant.get() == 0.0 && sizes.all(|size| size == first) {
-        first
-    } else {
-        1.0
+/// The power of two by which each term of two sums is multiplied, up to its sign. By another number the quotients would
+/// be rounded.
+fn shared_number(graph: &Graph, sums: [Node; 2]) -> Option<f64> {
+    let mut sizes = Vec::new();
+    for sum in sums {
+        match graph.kind(sum) {
+            NodeKind::Sum(constant, terms) if constant.get() == 0.0 => {
+                sizes.extend(terms.iter().map(|&(_, coefficient)| coefficient.get().abs()));
+            }
+            _ => return None,
+        }
     }
+    let &first = sizes.first()?;
+    let is_power = first.is_normal() && (1.0 / first).is_normal() && first.to_bits() << 12 == 0;
+    (is_power && sizes.iter().all(|&size| size == first)).then_some(first)
 }
 
 /// Divides two expressions by their common factors. Numbers go to the numerator.
