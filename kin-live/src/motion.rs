@@ -203,9 +203,15 @@ impl<T: Scalar, const C: usize> FoundMotion<'_, T, C> {
         }
     }
 
+    /// Whether an output is finite with all its rates, which stand order by order.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn output_is_finite(&self, registers: &[Register]) -> bool {
-        registers.iter().all(|register| self.at(*register).is_finite())
+        let parts = registers.len() / (self.motion.order + 1);
+        registers.chunks_exact(parts).all(|registers| match *registers {
+            [x, y] => T::are_finite(&[self.at(x), self.at(y)]),
+            [x, y, z] => T::are_finite(&[self.at(x), self.at(y), self.at(z)]),
+            _ => registers.iter().all(|register| self.at(*register).is_finite()),
+        })
     }
 
     /// Whether all numbers are finite. If a rate were not finite, a telltale would not be finite either.

@@ -435,7 +435,7 @@ impl<T: Number, const N: usize> Motion<Plane<T>, N> {
     pub fn is_finite(&self) -> bool {
         self.derivatives
             .iter()
-            .all(|vector| vector.x.is_finite() && vector.y.is_finite())
+            .all(|vector| T::are_finite(&[vector.x, vector.y]))
     }
 }
 
@@ -478,7 +478,7 @@ impl<T: Number, const N: usize> Motion<Space<T>, N> {
     pub fn is_finite(&self) -> bool {
         self.derivatives
             .iter()
-            .all(|vector| vector.x.is_finite() && vector.y.is_finite() && vector.z.is_finite())
+            .all(|vector| T::are_finite(&[vector.x, vector.y, vector.z]))
     }
 }
 
