@@ -1,7 +1,7 @@
 //! The names that programs with mechanisms need: `use kin_core::prelude::*;`.
 
 #[doc(hidden)]
-pub use crate::mechanism::guessed::{
+pub use crate::__private::guessed::{
     IntegersInASweep as _, IntegersInFour as _, IntegersInOne as _, IntegersInThree as _, IntegersInTwo as _,
     LaterOrders as _, MadeOfNamedParameters as _,
 };

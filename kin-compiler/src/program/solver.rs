@@ -226,7 +226,7 @@ mod tests {
 
     /// The functions of `kin_core::solve`: whether the last argument is an assembly, and the type in `Ok`.
     fn functions() -> BTreeMap<String, (bool, String)> {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/solve");
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-runtime/src/solve");
         let rooms = ["forms", "check"].map(|room| fs::read_dir(format!("{folder}/{room}")));
         let mut functions = BTreeMap::new();
         for file in rooms.into_iter().flat_map(|room| room.expect("there are closed forms")) {

@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism.
 
-use crate::assembly::Assembly;
-use crate::geometry::Plane;
+use crate::Assembly;
+use crate::Plane;
 
 crate::mechanism! {
     /// Andrews' squeezing mechanism: seven bodies in three loops, a well-known test problem for solvers of mechanical

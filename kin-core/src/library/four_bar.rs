@@ -1,7 +1,7 @@
 //! The planar four-bar linkage, as one vector loop.
 
-use crate::number::Number;
-use crate::solve::Scalar;
+use crate::Number;
+use crate::Scalar;
 
 crate::mechanism! {
     /// Planar four-bar linkage: ground 1, crank 2, coupler 3, rocker 4.

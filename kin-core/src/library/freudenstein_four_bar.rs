@@ -1,6 +1,6 @@
 //! The planar four-bar linkage by Freudenstein's equations, one for the rocker and one for the coupler.
 
-use crate::assembly::Assembly;
+use crate::Assembly;
 
 crate::mechanism! {
     /// Planar four-bar linkage by Freudenstein's two scalar equations.

@@ -1,8 +1,8 @@
 //! The planar four-bar linkage by the geometric method: one scalar equation after another.
 
-use crate::assembly::Assembly;
-use crate::number::Number;
-use crate::solve::Scalar;
+use crate::Assembly;
+use crate::Number;
+use crate::Scalar;
 
 crate::mechanism! {
     /// Planar four-bar linkage, solved triangle by triangle over the diagonal `e` from the crank's pin B to the

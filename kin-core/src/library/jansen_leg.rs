@@ -1,6 +1,6 @@
 //! Jansen's walking leg.
 
-use crate::assembly::Assembly;
+use crate::Assembly;
 
 crate::mechanism! {
     /// Jansen's leg: eleven bars and a crank that move a foot along a flat path and lift it back.

@@ -2,8 +2,8 @@
 
 use core::f64::consts::PI;
 
-use crate::assembly::Assembly;
-use crate::geometry::Plane;
+use crate::Assembly;
+use crate::Plane;
 
 crate::mechanism! {
     /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for half a revolution of

@@ -1,6 +1,6 @@
 //! The pantograph.
 
-use crate::assembly::Assembly;
+use crate::Assembly;
 
 crate::mechanism! {
     /// Pantograph: the pen draws `factor` times as large whatever the tracer draws.

@@ -1,6 +1,6 @@
 //! Peaucellier's exact straight-line linkage.
 
-use crate::assembly::Assembly;
+use crate::Assembly;
 
 crate::mechanism! {
     /// Peaucellier's linkage, also called Lipkin's: seven bars that draw an exact straight line.

@@ -1,7 +1,7 @@
 //! The position of a slider-crank's slider as a series in the crank's angle, to any even order of R/L.
 
-use crate::motion::Motion;
-use crate::solve::Scalar;
+use crate::Motion;
+use crate::Scalar;
 
 /// The number of terms of the tail that are summed before a geometric series bounds the rest.
 const TAIL: u32 = 20_000;
@@ -118,7 +118,7 @@ mod tests {
     use std::println;
 
     use super::*;
-    use crate::assembly::Assembly;
+    use crate::Assembly;
     use crate::library::{SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation};
 
     /// The truncation error stays below the bound at every order, and the bound exceeds it only by a small factor.

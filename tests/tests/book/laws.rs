@@ -47,7 +47,7 @@ fn shown(value: f64) -> String {
 fn peak_factors_are_up_to_date() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let read = |path: &str| fs::read_to_string(root.join(path)).expect("it is there");
-    let tables = [read("docs/laws.md"), read("kin-core/src/law/rise.rs")];
+    let tables = [read("docs/laws.md"), read("kin-runtime/src/law/rise.rs")];
     let orders = ["value", "velocity", "acceleration", "jerk", "snap", "fifth derivative"];
     for (name, plain, shape) in [
         ("`ConstantSpeed`", "constant speed", Shape::ConstantSpeed),

@@ -26,13 +26,12 @@ struct Package {
     rooms: &'static str,
 }
 
-const CORE: Package = Package {
-    name: "kin-core",
-    faces: &["lib", "declared", "prelude", "private"],
-    root_items: &["storable", "each_library_mechanism", "__debug_by_display"],
+const RUNTIME: Package = Package {
+    name: "kin-runtime",
+    faces: &["lib", "declared", "private"],
+    root_items: &["__debug_by_display"],
     rooms: "number geometry quantity failure assembly solve bounds motion hermite law picture mechanism any assemblies \
-            curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify library \
-            editor",
+            curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify editor",
 };
 
 const COMPILER: Package = Package {
@@ -182,7 +181,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn every_package_is_layered() {
-    let faults: Vec<String> = [CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, WEB, SEARCH, PYTHON]
+    let faults: Vec<String> = [RUNTIME, COMPILER, LIVE, FIT, SKETCH, STUDIO, WEB, SEARCH, PYTHON]
         .iter()
         .flat_map(Package::faults)
         .collect();
@@ -217,7 +216,7 @@ fn chapter() -> String {
 #[test]
 fn the_book_lists_the_rooms_below() {
     let chapter = chapter();
-    for module in [CORE.rooms(), COMPILER.rooms()]
+    for module in [RUNTIME.rooms(), COMPILER.rooms()]
         .into_iter()
         .flatten()
         .flat_map(|room| room.split('+'))
@@ -249,9 +248,9 @@ fn the_book_knows_where_to_look() {
 fn one_name_means_one_thing() {
     let mut exported = BTreeSet::new();
     let mut declared: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for source in CORE.sources().into_iter().chain(COMPILER.sources()) {
+    for source in RUNTIME.sources().into_iter().chain(COMPILER.sources()) {
         let tokens: Vec<TokenTree> = source.tokens.into_iter().collect();
-        let is_face = source.file.ends_with("kin-core/src/lib.rs");
+        let is_face = source.file.ends_with("kin-runtime/src/lib.rs");
         for statement in tokens.split(|token| is_mark(token, ';')).filter(|_| is_face) {
             let words = statement.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
             if let Some((_, names)) = words.split_once("pub use ") {
@@ -265,7 +264,7 @@ fn one_name_means_one_thing() {
         }
         let types = shared_types(&tokens);
         // They give exported names to types of the rooms, which are called alike.
-        if source.file.ends_with("kin-core/src/declared.rs") {
+        if source.file.ends_with("kin-runtime/src/declared.rs") {
             exported.extend(types);
             continue;
         }
@@ -301,7 +300,7 @@ const KINDS: [&str; 4] = ["enum", "struct", "trait", "type"];
 #[test]
 fn every_error_prints_its_sentence() {
     let inner = ["Found"];
-    for (package, least) in [(CORE, 18), (FIT, 4), (STUDIO, 2)] {
+    for (package, least) in [(RUNTIME, 18), (FIT, 4), (STUDIO, 2)] {
         let errors = errors(package.sources());
         assert!(errors.len() >= least, "{}: {:?}", package.name, errors.keys());
         for (name, (is_printed, file)) in errors {

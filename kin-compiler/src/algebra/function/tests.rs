@@ -293,7 +293,7 @@ fn other_rooms_do_not_list_functions() {
 #[test]
 fn functions_are_documented() {
     let grammar = include_str!("../../../../docs/grammar.md");
-    let editor = include_str!("../../../../kin-core/src/editor.rs");
+    let editor = include_str!("../../../../kin-runtime/src/editor.rs");
     for name in Function::ALL.iter().map(|function| function.name()) {
         let in_table = [format!("`{name}`"), format!("`{name}(")]
             .iter()
@@ -304,7 +304,7 @@ fn functions_are_documented() {
         );
         assert!(
             editor.contains(&format!("`{name}(")),
-            "kin-core/src/editor.rs lacks {name}"
+            "kin-runtime/src/editor.rs lacks {name}"
         );
     }
 }

@@ -27,7 +27,7 @@ pub struct Near<const N: usize>(
 /// | [`Near`] | the same, in double precision |
 /// | a reference to one of these | the same |
 ///
-/// Only this crate and [`mechanism!`](crate::mechanism!) implement it. A new version may add items.
+/// Only this crate and `mechanism!` implement it. A new version may add items.
 ///
 /// ```
 /// use kin_core::library::FourBar;

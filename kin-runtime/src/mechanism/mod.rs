@@ -61,7 +61,7 @@ use crate::solve::Scalar;
 
 /// A declared mechanism.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements this trait. A new version may add items without a default.
+/// Only `mechanism!` implements this trait. A new version may add items without a default.
 ///
 /// The solvers have the names of the inherent methods that `mechanism!` makes for each structure, and take the inputs
 /// as one row. On a structure itself the inherent method is called; `Mechanism::position(&linkage, [1.0], assembly)`
@@ -522,7 +522,7 @@ pub trait Mechanism: Copy + Debug + 'static {
 
 /// The motion of a mechanism in all its orders.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
+/// Only `mechanism!` implements it. A new version may add items.
 pub trait Pose: Copy + Debug {
     /// The number type.
     type Scalar: Scalar;

@@ -30,6 +30,7 @@ pub use crate::solve::Scalar;
 pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
+#[cfg(test)]
 pub use kin_macros::mechanism_in;
 #[cfg(feature = "serde")]
 pub use serde;

@@ -7,7 +7,7 @@ use crate::number::{Operations, Row};
 
 /// A mechanism that knows how its motion depends on its parameters: one that is declared `with sensitivities;`.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
+/// Only `mechanism!` implements it. A new version may add items.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -62,7 +62,7 @@ pub trait Sensitive: Mechanism {
 /// The partial derivatives of a motion with respect to one parameter, in all its orders. Entry n is the derivative of
 /// the n-th time derivative.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
+/// Only `mechanism!` implements it. A new version may add items.
 pub trait Partials: Copy + Debug {
     /// A value with its time derivatives.
     type Motion: Copy;

@@ -9,7 +9,7 @@ use crate::mechanism::Mechanism;
 /// Every structure that a solver of `M` returns implements this trait, from position to snap. Functions that need only
 /// the position accept any of them.
 ///
-/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
+/// Only `mechanism!` implements it. A new version may add items.
 ///
 /// ```
 /// use kin_core::library::FourBar;
