@@ -1,9 +1,9 @@
-//! The library behind `kin-core`: numbers, closed forms, and all that is asked of a mechanism, such as sweeps, cycles and
-//! forces.
+//! The library behind `kin-core`: numbers, closed forms, and all that is asked of a mechanism, such as sweeps, cycles
+//! and forces.
 //!
-//! Use it through [`kin-core`](https://crates.io/crates/kin-core), which has everything that is here, under the same
-//! names and with the same features, and `mechanism!` and the library of mechanisms beside it. Nothing here needs the
-//! macro: so Cargo builds this crate while it builds the macro, and a first build is shorter by a third.
+//! Use it through `kin-core`, which has everything that is here, under the same names and with the same features, and
+//! beside it the macro and the library of mechanisms. Nothing here needs the macro, so Cargo builds this crate and the
+//! compiler of declarations at the same time.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
@@ -80,58 +80,34 @@ mod track;
 #[cfg(feature = "std")]
 pub mod verify;
 
-pub use assemblies::Assemblies;
-#[doc(hidden)]
-pub use assemblies::{Positions, continuation};
-#[doc(hidden)]
-pub use assembly::IntoAssembly;
+pub use assemblies::{Assemblies, Positions, continuation};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use assembly::assembly_named;
-pub use assembly::{Assembly, Guess, Near};
-#[doc(hidden)]
-pub use curve::CurveFunctions;
-pub use curve::LimitKind;
+pub use assembly::{Assembly, Guess, IntoAssembly, Near};
+pub use curve::{CurveFunctions, LimitKind};
 pub use declared::*;
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
-#[cfg(feature = "alloc")]
-#[doc(hidden)]
-pub use mechanism::JacobianNumber;
-#[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
     BlockForm, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf, PositionSearch, Prepared, Sensitive,
 };
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-pub use mechanism::{Jacobian, JacobianError, JacobianMeasure};
-#[doc(hidden)]
-pub use motion::Contains;
-pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
+pub use mechanism::{Jacobian, JacobianError, JacobianMeasure, JacobianNumber};
+pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
-#[doc(hidden)]
 pub use number::count;
 pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
-#[doc(hidden)]
-pub use picture::PlaneOrSpace;
-#[doc(hidden)]
-pub use picture::PointArray;
-pub use picture::{Slide, TransmissionAngle};
+pub use picture::{PlaneOrSpace, PointArray, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
-#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
-#[doc(hidden)]
 pub use quantity::in_small_letters;
-pub use quantity::{Dimension, Name, NameKind};
-#[doc(hidden)]
-pub use quantity::{GREEK, RATES};
+pub use quantity::{Dimension, GREEK, Name, NameKind, RATES};
 pub use solve::Scalar;
-#[doc(hidden)]
-pub use track::MOST_TRACK_STEPS;
 #[cfg(feature = "alloc")]
-#[doc(hidden)]
 pub use track::track_between;
-pub use track::{TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
+pub use track::{MOST_TRACK_STEPS, TrackError, TrackErrorOf, TrackLimit, TrackStop, track};
 
 /// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as
 /// [`ParameterRecord`](stored::ParameterRecord) does.

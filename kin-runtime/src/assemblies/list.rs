@@ -18,6 +18,7 @@ use core::{option, slice};
 /// assert_eq!(positions.missed(), 1);
 /// assert_eq!(positions.into_iter().sum::<f64>(), 2.0);
 /// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Positions<P, const CAPACITY: usize> {
     /// The first `length` values are in the list. It is `None` until the first position is added.

@@ -1,5 +1,6 @@
 //! All assemblies of a mechanism with coupled blocks.
 
+#[doc(hidden)]
 pub mod continuation;
 mod every;
 mod list;

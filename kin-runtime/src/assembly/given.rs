@@ -10,6 +10,7 @@
     note = "`{A}::all(Assembly::Open)` chooses the same for every block, and `ASSEMBLIES` of the mechanism lists all \
             choices"
 )]
+#[doc(hidden)]
 pub trait IntoAssembly<A> {
     /// The assembly.
     fn into_assembly(self) -> A;

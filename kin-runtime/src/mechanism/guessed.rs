@@ -5,6 +5,7 @@
 //! function. A method that a program defines on the type itself comes before them.
 
 /// The type of [`new`](MadeOfNamedParameters::new), named for the compiler to say: `expected function, found …`.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct WriteTheParametersByName;
 

@@ -12,6 +12,7 @@ use crate::number::{Number, singular_values};
 use crate::quantity::Quantity;
 
 /// Numbers whose matrices have singular values: `f64`, and series of it. A new version may add items.
+#[doc(hidden)]
 pub trait JacobianNumber: Number {
     /// The singular values of a matrix that is given in rows of so many columns, the largest first.
     #[doc(hidden)]

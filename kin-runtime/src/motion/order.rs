@@ -10,6 +10,7 @@ use super::{Direction, Motion};
     note = "`position` solves for values alone. `solve` solves for all orders at once, or go on from the position: \
             `.velocity(rates)` of the pose, then `.acceleration(rates)`, and so on"
 )]
+#[doc(hidden)]
 pub trait Contains<const ORDER: usize> {}
 
 macro_rules! contains {

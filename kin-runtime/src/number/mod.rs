@@ -1,6 +1,7 @@
 //! Numbers, and rows of them.
 
 mod changing;
+#[doc(hidden)]
 #[cfg(feature = "std")]
 pub mod count;
 pub(crate) mod elementary;

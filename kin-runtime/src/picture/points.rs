@@ -6,6 +6,7 @@ use crate::geometry::{Plane, Space};
 use crate::number::Number;
 
 /// A point of the plane or of space.
+#[doc(hidden)]
 pub trait PlaneOrSpace: Copy + Debug {
     /// The number type.
     type Scalar;
@@ -35,6 +36,7 @@ impl<T: Number> PlaneOrSpace for Space<T> {
 }
 
 /// An array of points.
+#[doc(hidden)]
 pub trait PointArray: Copy + Debug {
     /// The points, of the plane or of space.
     type Point: PlaneOrSpace;

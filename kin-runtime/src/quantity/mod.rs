@@ -13,6 +13,7 @@ pub use small_letters::in_small_letters;
 pub(crate) use with_unit::WithUnit;
 
 /// The names of the derivatives with respect to time, from the first on.
+#[doc(hidden)]
 pub const RATES: [&str; 12] = [
     "velocity",
     "acceleration",

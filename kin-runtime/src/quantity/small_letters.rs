@@ -11,6 +11,7 @@ use alloc::string::String;
 /// assert_eq!(in_small_letters("StephensonIIIByDyad", '-'), "stephenson-iii-by-dyad");
 /// assert_eq!(in_small_letters("Four_Bar", '_'), "four_bar");
 /// ```
+#[doc(hidden)]
 #[must_use]
 pub fn in_small_letters(name: &str, between: char) -> String {
     let letters: alloc::vec::Vec<char> = name.chars().collect();

@@ -12,6 +12,7 @@ use crate::mechanism::HeapMemory;
 ///
 /// # Errors
 /// As for `track`.
+#[doc(hidden)]
 pub fn track_between(
     mechanism: &dyn CurveFunctions,
     parameters: &[f64],

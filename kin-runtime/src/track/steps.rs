@@ -5,6 +5,7 @@
 /// A revolution of a crank takes about 15 steps. A path through positions that rounding makes difficult takes a
 /// thousand at most. A track that needs more steps than this limit makes thousands of revolutions, and can be divided,
 /// or thousands of waves.
+#[doc(hidden)]
 pub const MOST_TRACK_STEPS: u32 = 100_000;
 
 /// The number of steps taken.
