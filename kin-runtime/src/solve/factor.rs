@@ -108,7 +108,7 @@ pub fn factor_in<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) -> Result
 /// [`factor_in`] for a number that holds one pose, and for one that keeps its poses apart.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn checked_factors<T: Scalar>(entries: &mut [T], rows: &mut [FactorRow]) -> Result<Elimination, Failure> {
-    if !entries.iter().all(|entry| entry.is_finite()) {
+    if !T::are_finite(entries) {
         return Err(Failure::not_finite(QUANTITY));
     }
     factor_to(entries, rows, T::EPSILON, Scaling::New)

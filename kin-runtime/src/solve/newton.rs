@@ -6,6 +6,7 @@ use super::factor::{
     Determinant, FactorRow, Scaling, Scratch, amplification, condition, factor_in, factor_to, larger, substitute_in,
 };
 use crate::failure::Failure;
+use crate::number::Number as _;
 use crate::solve::Scalar;
 use crate::solve::check::{Real, RowMeasure};
 
@@ -529,7 +530,7 @@ fn are_real<T: Scalar>(typed: [&[T]; 2], units: &[f64], residuals: &mut [f64], j
             *entry = typed.real() * unit;
         }
     }
-    residuals.iter().chain(&*jacobian).all(|entry| entry.is_finite())
+    f64::are_finite(jacobian) && f64::are_finite(residuals)
 }
 
 /// The correction that removes the residuals.
@@ -577,14 +578,12 @@ fn distance(one: impl Iterator<Item = f64>, other: &[f64]) -> f64 {
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn greatest_of(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, |largest, entry| {
+    let (largest, sum) = numbers.fold((0.0, 0.0), |(largest, sum), entry| {
         let size = entry.abs();
-        if size <= largest || largest.is_nan() {
-            largest
-        } else {
-            size
-        }
-    })
+        (larger(largest, size), sum + size)
+    });
+    // a sum of magnitudes is NaN if and only if one of them is
+    if sum.is_nan() { sum } else { largest }
 }
 
 /// The largest magnitude of some lengths, or 1 if all of them are zero.
