@@ -3,6 +3,7 @@
 //! A room is a part of a package with one task. It imports only from the rooms before it in its package's list.
 
 mod errors;
+mod manifests;
 mod source;
 mod width;
 
