@@ -576,4 +576,16 @@ mod tests {
         assert!(point.is_finite());
         assert!(!Motion::from_three_coordinates(x, y, z.scale(f64::INFINITY)).is_finite());
     }
+
+    /// Coordinates may be finite though their sum is not, and each may be the one that is not.
+    #[test]
+    fn points_are_finite_if_their_coordinates_are() {
+        let (most, none) = (Motion::from([1.0, f64::MAX]), Motion::from([1.0, f64::NAN]));
+        assert!(Motion::from_coordinates(most, most).is_finite());
+        assert!(Motion::from_three_coordinates(most, most, most).is_finite());
+        for [x, y, z] in [[none, most, most], [most, none, most], [most, most, none]] {
+            assert!(!Motion::from_three_coordinates(x, y, z).is_finite());
+            assert!(!Motion::from_coordinates(x, y + z).is_finite());
+        }
+    }
 }
