@@ -86,6 +86,7 @@
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+// for lints of the tests in the library
 #[cfg(test)]
 extern crate std;
 

@@ -1,7 +1,6 @@
 //! Andrews' squeezing mechanism.
 
-use crate::Assembly;
-use crate::Plane;
+use crate::{Assembly, Plane};
 
 crate::mechanism! {
     /// Andrews' squeezing mechanism: seven bodies in three loops, a well-known test problem for solvers of mechanical

@@ -1,7 +1,6 @@
 //! The planar four-bar linkage, as one vector loop.
 
-use crate::Number;
-use crate::Scalar;
+use crate::{Number, Scalar};
 
 crate::mechanism! {
     /// Planar four-bar linkage: ground 1, crank 2, coupler 3, rocker 4.

@@ -1,8 +1,6 @@
 //! The planar four-bar linkage by the geometric method: one scalar equation after another.
 
-use crate::Assembly;
-use crate::Number;
-use crate::Scalar;
+use crate::{Assembly, Number, Scalar};
 
 crate::mechanism! {
     /// Planar four-bar linkage, solved triangle by triangle over the diagonal `e` from the crank's pin B to the

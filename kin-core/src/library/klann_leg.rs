@@ -2,8 +2,7 @@
 
 use core::f64::consts::PI;
 
-use crate::Assembly;
-use crate::Plane;
+use crate::{Assembly, Plane};
 
 crate::mechanism! {
     /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for half a revolution of

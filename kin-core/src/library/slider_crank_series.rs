@@ -1,7 +1,6 @@
 //! The position of a slider-crank's slider as a series in the crank's angle, to any even order of R/L.
 
-use crate::Motion;
-use crate::Scalar;
+use crate::{Motion, Scalar};
 
 /// The number of terms of the tail that are summed before a geometric series bounds the rest.
 const TAIL: u32 = 20_000;

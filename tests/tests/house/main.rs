@@ -35,6 +35,22 @@ const RUNTIME: Package = Package {
             curve track load batch reaction sweep extremes cycle tape exact linkage stored interop verify editor",
 };
 
+const CORE: Package = Package {
+    name: "kin-core",
+    faces: &["lib", "declaration", "prelude"],
+    root_items: &[
+        "Assembly",
+        "Motion",
+        "Number",
+        "Plane",
+        "Scalar",
+        "each_library_mechanism",
+        "mechanism",
+        "storable",
+    ],
+    rooms: "library",
+};
+
 const COMPILER: Package = Package {
     name: "kin-compiler",
     faces: &["lib"],
@@ -167,8 +183,9 @@ impl Package {
                 }
             }
         }
+        let is_divided = lines.len() > 1;
         for (room, lines) in self.rooms().zip(lines) {
-            if lines == 0 || lines > SMALL && 5 * lines > all {
+            if lines == 0 || is_divided && lines > SMALL && 5 * lines > all {
                 faults.push(format!("{}: {room} has {lines} of {all} lines", self.name));
             }
         }
@@ -182,7 +199,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn every_package_is_layered() {
-    let faults: Vec<String> = [RUNTIME, COMPILER, LIVE, FIT, SKETCH, STUDIO, WEB, SEARCH, PYTHON]
+    let faults: Vec<String> = [RUNTIME, CORE, COMPILER, LIVE, FIT, SKETCH, STUDIO, WEB, SEARCH, PYTHON]
         .iter()
         .flat_map(Package::faults)
         .collect();
@@ -249,7 +266,7 @@ fn the_book_knows_where_to_look() {
 fn one_name_means_one_thing() {
     let mut exported = BTreeSet::new();
     let mut declared: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for source in RUNTIME.sources().into_iter().chain(COMPILER.sources()) {
+    for source in [RUNTIME, CORE, COMPILER].iter().flat_map(Package::sources) {
         let tokens: Vec<TokenTree> = source.tokens.into_iter().collect();
         let is_face = source.file.ends_with("kin-runtime/src/lib.rs");
         for statement in tokens.split(|token| is_mark(token, ';')).filter(|_| is_face) {
@@ -301,7 +318,7 @@ const KINDS: [&str; 4] = ["enum", "struct", "trait", "type"];
 #[test]
 fn every_error_prints_its_sentence() {
     let inner = ["Found"];
-    for (package, least) in [(RUNTIME, 18), (FIT, 4), (STUDIO, 2)] {
+    for (package, least) in [(RUNTIME, 18), (CORE, 0), (FIT, 4), (STUDIO, 2)] {
         let errors = errors(package.sources());
         assert!(errors.len() >= least, "{}: {:?}", package.name, errors.keys());
         for (name, (is_printed, file)) in errors {

@@ -22,10 +22,10 @@ fn section(package: &str, name: &str) -> Vec<(String, String)> {
 fn kin_core_hands_on_every_feature() {
     let (own, behind) = (section("kin-core", "features"), section("kin-runtime", "features"));
     assert!(behind.len() > 5, "{behind:?}");
-    for (name, what_it_turns_on) in &behind {
+    for (name, enabled) in &behind {
         let (_, handed_on) = own.iter().find(|(own, _)| own == name).expect(name);
         if name == "default" {
-            assert_eq!(handed_on, what_it_turns_on);
+            assert_eq!(handed_on, enabled);
         } else {
             assert!(
                 handed_on.contains(&format!("\"kin-runtime/{name}\"")),
