@@ -48,7 +48,7 @@ mod scalar;
 pub use crate::assembly::both;
 pub use check::*;
 pub use direction::{direction, directions};
-pub(crate) use factor::{Determinant, Scaling, factor_to, larger};
+pub(crate) use factor::{Determinant, Scaling, factor_to};
 pub use factor::{Elimination, FactorRow, Factors, factor, factor_in, substitute_in};
 #[cfg(feature = "tape")]
 pub(crate) use factor::{exponent_of, range};

@@ -1,7 +1,8 @@
 //! A number type that holds several numbers, for several poses at once.
 //!
-//! No operation has a branch. Arithmetic names its [vector instructions](instructions). The other operations are short
-//! loops over an array, which a compiler converts into the widest vectors that the calling function may use.
+//! No operation has a branch. Arithmetic and [decisions](mask) name their [vector instructions](instructions). The
+//! other operations are short loops over an array, which a compiler converts into the widest vectors that the calling
+//! function may use.
 //!
 //! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
 //! while the other lanes continue. So a lane that is finite at the end has passed every test. A lane also becomes NaN
@@ -28,11 +29,13 @@ pub(in crate::batch) use for_each_lane;
 
 mod element;
 mod instructions;
+mod mask;
 mod newton;
 pub(in crate::batch) mod verdicts;
 
 pub use element::Element;
 use instructions::{Instructions, is_fused};
+use mask::Mask;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -42,7 +45,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, sign_flipped};
 use crate::number::{Number, real_parts};
-use crate::solve::{Check, Choose, Equations, Measure, NewtonMemory, RowMeasure, Scalar};
+use crate::solve::{Check, Choose, Equations, Measure, NewtonMemory, Real, RowMeasure, Scalar};
 
 /// `W` numbers, calculated with vectors of `BITS` bits.
 #[derive(Clone, Copy, Debug)]
@@ -64,11 +67,6 @@ impl<const W: usize, const BITS: usize, E: Element> Lanes<W, BITS, E> {
         Self::from_fn(|lane| function(self.0[lane]))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn with(self, other: Self, function: impl Fn(E, E) -> E) -> Self {
-        Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
-    }
-
     /// Whether all lanes are finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_finite_throughout(self) -> bool {
@@ -82,19 +80,13 @@ impl<const W: usize, const BITS: usize, E: Element> Lanes<W, BITS, E> {
     /// NaN in lanes that are not finite, a negative zero in the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gaps(self) -> Self {
-        self.map(|number| {
-            if Float::is_finite(number) {
-                E::neg_zero()
-            } else {
-                E::nan()
-            }
-        })
+        Real::is_finite(self).chosen(Self::constant(-0.0), Self([E::nan(); W]))
     }
 
     /// One in lanes that are not finite, zero in the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gone(self) -> Self {
-        self.map(|number| if Float::is_finite(number) { E::zero() } else { E::one() })
+        Real::is_finite(self).chosen(Self::constant(0.0), Self::constant(1.0))
     }
 
     /// The sum of small counts.
@@ -108,34 +100,15 @@ impl<const W: usize, const BITS: usize, E: Element> Lanes<W, BITS, E> {
     /// length](LARGEST_MEASURED).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::batch) fn within(self, squares: Self) -> Self {
-        self.with(squares, |number, squares| {
-            if squares < E::LARGEST_MEASURED * E::LARGEST_MEASURED {
-                number
-            } else {
-                E::nan()
-            }
-        })
+        let limit = Self([E::LARGEST_MEASURED * E::LARGEST_MEASURED; W]);
+        squares.is_below(limit).chosen(self, Self([E::nan(); W]))
     }
 
-    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a
-    /// lane fails.
+    /// The lanes that pass a check.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn checked<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> (Self, Self, bool) {
-        let operands = check.operands();
-        let (mut kept, mut failing, mut one_fails) = (self, Self::constant(0.0), false);
-        for_each_lane!(lane in 0..W {
-            // One condition after the other: the compiler vectorises a comparison with a selection, but not a
-            // conjunction. A selection within the arrays would be stored in part, and could not be read at once.
-            let (mut number, mut gap) = (self.0[lane], E::zero());
-            for holds in check.holds(Self::at(&operands, lane)) {
-                number = if holds { number } else { E::nan() };
-                gap = if holds { gap } else { E::nan() };
-                one_fails |= !holds;
-            }
-            kept.0[lane] = number;
-            failing.0[lane] = gap;
-        });
-        (kept, failing, one_fails)
+    fn passing<const N: usize, const K: usize>(check: impl Check<Self, N, K>) -> Mask<W, BITS, E> {
+        let conditions = check.holds(check.operands()).into_iter();
+        conditions.fold(Self::certainly(true), |passing, condition| passing & condition)
     }
 
     /// The values in one lane.
@@ -321,31 +294,24 @@ impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E>
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
-        let (kept, failing, one_fails) = self.checked(check);
-        if one_fails {
-            judge(check, failing, check.square().sqrt());
+        let passing = Self::passing(check);
+        if !passing.is_every() {
+            judge(check, passing, check.square().sqrt());
         }
-        Some(kept)
+        Some(passing.chosen(self, Self([E::nan(); W])))
     }
 
     /// A lane that fails does not need its root, so it gets the root by which its shortfall is measured: a root takes
     /// longer than twenty other operations.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rooted<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<(Self, Self)> {
-        let (kept, failing, one_fails) = self.checked(check);
-        let square = check.square();
-        let root = Self::from_fn(|lane| {
-            if failing.0[lane] == E::zero() {
-                self.0[lane]
-            } else {
-                square.0[lane]
-            }
-        })
-        .sqrt();
-        if one_fails {
-            judge(check, failing, root);
+        let passing = Self::passing(check);
+        let nan = Self([E::nan(); W]);
+        let root = passing.chosen(self, check.square()).sqrt();
+        if !passing.is_every() {
+            judge(check, passing, root);
         }
-        Some((kept, root - failing))
+        Some((passing.chosen(self, nan), passing.chosen(root, nan)))
     }
 
     /// Nobody reads the failure: the verdicts say what fails.
@@ -360,32 +326,27 @@ impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E>
         one: impl FnOnce() -> Self,
         other: impl FnOnce() -> Self,
     ) -> Self {
-        let operands = check.operands();
-        let (one, other) = (one(), other());
-        Self::from_fn(|lane| {
-            let [holds] = check.holds(Self::at(&operands, lane));
-            if holds { one.0[lane] } else { other.0[lane] }
-        })
+        let [holds] = check.holds(check.operands());
+        holds.chosen(one(), other())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn times_sign_of(self, other: Self) -> Self {
-        self.with(other, |a, b| sign_flipped(a, b.bits()))
+        Self::from_fn(|lane| sign_flipped(self.0[lane], other.0[lane].bits()))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
-        let operands = measure.operands();
-        Self::from_fn(|lane| measure.measure(Self::at(&operands, lane)))
+        measure.measure(measure.operands())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured_over<M: RowMeasure>(_: M, count: usize, operand: impl Fn(usize) -> Self) -> Self {
-        let mut measured = Self([M::start(); W]);
+        let mut measured = M::start();
         for index in 0..count {
-            measured = measured.with(operand(index), M::with);
+            measured = M::with(measured, operand(index));
         }
-        measured.map(M::end)
+        M::end(measured)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -431,35 +392,22 @@ impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E>
     }
 }
 
-/// Records verdicts about lanes that fail a check.
+/// Records verdicts about the lanes that do not pass a check: the margin where it is negative beyond doubt, otherwise
+/// NaN. NaN also stands for lengths whose squares lose digits or overflow.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn judge<const W: usize, const BITS: usize, const N: usize, const K: usize, E: Element>(
     check: impl Check<Lanes<W, BITS, E>, N, K>,
-    failing: Lanes<W, BITS, E>,
+    passing: Mask<W, BITS, E>,
     root: Lanes<W, BITS, E>,
 ) {
-    let Some([margin, scale]) = check.shortfall(root) else {
-        verdicts::record(failing);
-        return;
-    };
-    verdicts::record(Lanes::<W, BITS, E>::from_fn(|lane| {
-        verdict(failing.0[lane], margin.0[lane], scale.0[lane])
-    }));
-}
-
-/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise.
-/// NaN also stands for lengths whose squares lose digits or overflow.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
-    let doubt = -E::of(E::DOUBT_IN_LANES);
-    let margin = if margin < doubt * scale { margin } else { E::nan() };
-    let margin = if scale > E::one() / E::LARGEST_MEASURED {
-        margin
-    } else {
-        E::nan()
-    };
-    let margin = if scale < E::LARGEST_MEASURED { margin } else { E::nan() };
-    if failing == E::zero() { failing } else { margin }
+    let mut verdict = Lanes([E::nan(); W]);
+    if let Some([margin, scale]) = check.shortfall(root) {
+        let is_beyond_doubt = margin.is_below(Lanes::constant(-E::DOUBT_IN_LANES) * scale);
+        let is_large = scale.exceeds(Lanes([E::one() / E::LARGEST_MEASURED; W]));
+        let is_small = scale.is_below(Lanes([E::LARGEST_MEASURED; W]));
+        verdict = (is_beyond_doubt & is_large & is_small).chosen(margin, verdict);
+    }
+    verdicts::record(passing.chosen(Lanes::constant(0.0), verdict));
 }
 
 /// The other leg of a right triangle whose hypotenuse is 1.

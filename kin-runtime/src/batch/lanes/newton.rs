@@ -8,8 +8,8 @@ use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{
-    CONVERGING, Determinant, Equations, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC, Scaling,
-    corrected, factor_to, larger,
+    CONVERGING, Determinant, Equations, FIRST_STEP, LINEAR_STEP, NEGLIGIBLE, NewtonMemory, QUADRATIC, Real, Scaling,
+    corrected, factor_to,
 };
 
 /// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
@@ -29,10 +29,10 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
     let [residuals, correction, root] = memory.vectors;
     let [jacobian, factors] = memory.matrices;
     let rows = memory.rows;
-    let one = Lanes::constant(1.0);
     root.fill(Lanes([E::nan(); W]));
-    // one in the lanes that have not ended, and zero in the others
-    let mut pending = one;
+    let (always, never) = (Lanes::certainly(true), Lanes::certainly(false));
+    // the lanes that have not ended
+    let mut pending = always;
     // the length of the step before, and the determinant where it began
     let mut previous: Option<(Lanes<W, BITS, E>, Determinant<Lanes<W, BITS, E>>)> = None;
     let mut is_last = false;
@@ -42,13 +42,13 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
         equations.evaluate(point, residuals, jacobian);
         if let (true, Some((before, _))) = (is_last, previous) {
             corrected(factors, rows, residuals, correction);
-            let arrives = pending * at_most(largest(correction), before * Lanes::constant(QUADRATIC));
-            pending = pending - arrives;
+            let arrives = pending & largest(correction).is_at_most(before * Lanes::constant(QUADRATIC));
+            pending = pending & !arrives;
             for index in 0..point.len() {
                 let end = point[index] + correction[index] * sizes[index];
-                root[index] = chosen(arrives, end, root[index]);
+                root[index] = arrives.chosen(end, root[index]);
             }
-            if !is_any(pending) {
+            if !pending.is_any() {
                 break;
             }
         }
@@ -68,49 +68,49 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
         let determinant = Determinant::of(factors, rows, elimination.is_odd);
         corrected(factors, rows, residuals, correction);
         let length = largest(correction);
-        let mut is_lost = one;
+        let mut is_lost = always;
         for index in 0..point.len() {
             let change = correction[index] * sizes[index];
             correction[index] = change;
-            let size = sizes[index].with(point[index].map(E::size), larger);
-            is_lost = is_lost * at_most(change.map(E::size), size * Lanes::constant(E::EPSILON));
+            let size = sizes[index].or_larger(point[index].magnitude());
+            is_lost = is_lost & change.magnitude().is_at_most(size * Lanes::constant(E::EPSILON));
         }
         // where the next correction may be a simplified one, and is the last
-        let mut ends = Lanes::constant(0.0);
+        let mut ends = never;
         let (is_root, is_full) = if let Some((before, last_determinant)) = previous {
             let contraction = length / before;
             let next = contraction * contraction * length;
-            let is_foretold = at_most(next, Lanes::constant(NEGLIGIBLE * E::EPSILON));
-            let is_quadratic = at_most(contraction, Lanes::constant(QUADRATIC));
-            let is_full = at_most(contraction, Lanes::constant(CONVERGING));
-            let mut is_root = is_quadratic * is_lost.with(is_foretold, larger);
+            let is_foretold = next.is_at_most(Lanes::constant(NEGLIGIBLE * E::EPSILON));
+            let is_quadratic = contraction.is_at_most(Lanes::constant(QUADRATIC));
+            let is_full = contraction.is_at_most(Lanes::constant(CONVERGING));
+            let mut is_root = is_quadratic & (is_lost | is_foretold);
             // A small correction that does not fall is rounding, and the last point is the root if the determinant
             // hardly changes over it. The ordinary method allows a change of a quarter.
-            let is_rounding = at_most(before * before, Lanes::constant(LINEAR_STEP * E::EPSILON)) * (one - is_full);
-            if is_any(pending * is_rounding) {
-                let change = determinant.relative_to(last_determinant) - one;
-                let is_distinct = at_most(change.map(E::size), Lanes::constant(LARGEST_CHANGE));
-                is_root = is_root + is_rounding * is_distinct;
+            let is_rounding = (before * before).is_at_most(Lanes::constant(LINEAR_STEP * E::EPSILON)) & !is_full;
+            if (pending & is_rounding).is_any() {
+                let change = determinant.relative_to(last_determinant) - Lanes::constant(1.0);
+                let is_distinct = change.magnitude().is_at_most(Lanes::constant(LARGEST_CHANGE));
+                is_root = is_root | is_rounding & is_distinct;
             }
             let error = Lanes::constant(2.0) * contraction * contraction * next;
-            ends = is_quadratic * at_most(error, Lanes::constant(NEGLIGIBLE * E::EPSILON));
+            ends = is_quadratic & error.is_at_most(Lanes::constant(NEGLIGIBLE * E::EPSILON));
             (is_root, is_full)
         } else {
-            (is_lost, at_most(length, Lanes::constant(FIRST_STEP)))
+            (is_lost, length.is_at_most(Lanes::constant(FIRST_STEP)))
         };
-        let arrives = pending * is_root;
-        pending = pending * is_full * (one - is_root);
+        let arrives = pending & is_root;
+        pending = pending & is_full & !is_root;
         // Lanes that have ended keep their values.
         for index in 0..point.len() {
             let end = point[index] + correction[index];
-            root[index] = chosen(arrives, end, root[index]);
-            point[index] = chosen(pending, end, point[index]);
+            root[index] = arrives.chosen(end, root[index]);
+            point[index] = pending.chosen(end, point[index]);
         }
-        if !is_any(pending) {
+        if !pending.is_any() {
             break;
         }
         previous = Some((length, determinant));
-        is_last = !is_any(pending * (one - ends));
+        is_last = !(pending & !ends).is_any();
     }
     point.copy_from_slice(root);
     let missing = root
@@ -120,42 +120,11 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
     Ok(())
 }
 
-/// Whether a condition is one in any lane.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn is_any<const W: usize, const BITS: usize, E: Element>(condition: Lanes<W, BITS, E>) -> bool {
-    condition.0.iter().any(|lane| *lane > E::zero())
-}
-
-/// One in the lanes where a number is at most another, and zero in the others.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn at_most<const W: usize, const BITS: usize, E: Element>(
-    one: Lanes<W, BITS, E>,
-    other: Lanes<W, BITS, E>,
-) -> Lanes<W, BITS, E> {
-    one.with(other, |one, other| if one <= other { E::one() } else { E::zero() })
-}
-
-/// One number where a condition is one, and another where it is zero.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn chosen<const W: usize, const BITS: usize, E: Element>(
-    condition: Lanes<W, BITS, E>,
-    one: Lanes<W, BITS, E>,
-    other: Lanes<W, BITS, E>,
-) -> Lanes<W, BITS, E> {
-    Lanes::from_fn(|lane| {
-        if condition.0[lane] > E::zero() {
-            one.0[lane]
-        } else {
-            other.0[lane]
-        }
-    })
-}
-
 /// The largest magnitude in each lane. NaN does not count: the lane that has it ends as NaN anyway.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn largest<const W: usize, const BITS: usize, E: Element>(vector: &[Lanes<W, BITS, E>]) -> Lanes<W, BITS, E> {
-    let sizes = vector.iter().map(|entry| entry.map(E::size));
-    sizes.fold(Lanes::constant(0.0), |largest, size| largest.with(size, larger))
+    let sizes = vector.iter().map(|entry| entry.magnitude());
+    sizes.fold(Lanes::constant(0.0), |largest, size| largest.or_larger(size))
 }
 
 #[cfg(test)]

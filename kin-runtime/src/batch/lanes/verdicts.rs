@@ -11,6 +11,8 @@ use core::cell::Cell;
 use super::{Element, Lanes};
 #[cfg(feature = "std")]
 use crate::batch::dispatch::{MOST_LANES, MOST_SINGLES};
+#[cfg(feature = "std")]
+use crate::solve::Real as _;
 
 /// A number with a store of the verdicts about lanes of it.
 pub trait Judged: Sized {
@@ -104,9 +106,11 @@ pub(super) fn record<const W: usize, const BITS: usize, E: Element>(news: Lanes<
     #[cfg(feature = "std")]
     {
         let mut all = E::verdicts();
-        for (verdict, news) in all.as_mut().iter_mut().zip(news.0) {
-            // A sum, which is stored as a whole. A selection would be stored in part, and could not be read at once.
-            *verdict = *verdict + if *verdict == E::zero() { news } else { E::neg_zero() };
+        let verdicts = read::<W, BITS, E>();
+        let zero = Lanes([E::zero(); W]);
+        let Lanes(verdicts) = verdicts.equals(zero).chosen(news, verdicts);
+        for (verdict, own) in all.as_mut().iter_mut().zip(verdicts) {
+            *verdict = own;
         }
         E::judge(all);
     }
