@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use super::line::LINE;
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Slot, Target, Visitor};
 use super::view::{View, look_at_entries};
@@ -26,9 +27,6 @@ pub(super) type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::
 
 /// The number of chunks from which a column is long. One chunk more adds at most a part of 1/32 then.
 const LONG: usize = 32;
-
-/// The bytes in a cache line.
-pub(super) const LINE: usize = 64;
 
 /// The columns of all numbers: a `C` for each.
 pub(super) struct Destination<M: Mechanism, C: Copy> {
@@ -67,27 +65,28 @@ impl<M: Mechanism<Scalar: Element>, C: Copy> Destination<M, C> {
     /// Stores the motions of the inputs, starting at a given pose.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store_inputs<V: Stored<C>, R: Row<V>>(&self, start: usize, inputs: &[R]) {
-        store_all(start, inputs, self.inputs.as_ref());
+        store_all(Ordinary, start, inputs, self.inputs.as_ref());
     }
 
-    /// Stores the motions that have been found, starting at a given pose. Returns their sum: it is finite if and only
-    /// if all numbers are, unless the sum itself overflows.
+    /// Stores the motions that have been found, starting at a given pose.
+    /// Returns their sum: it is finite if and only if all numbers are, unless the sum itself overflows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store<V: Stored<C>, R: Row<V>>(
         &self,
+        way: impl Way<C, V>,
         start: usize,
         unknowns: &[R],
         sines: &[Option<V>],
         outputs: &[R],
     ) -> V {
-        let mut sum = store_all(start, unknowns, self.unknowns.as_ref());
+        let mut sum = store_all(way, start, unknowns, self.unknowns.as_ref());
         for (sine, column) in sines.iter().zip(self.sines.as_ref()) {
             if let Some(sine) = sine {
                 sum = sum + *sine;
-                sine.store(*column, start);
+                way.store(*sine, *column, start);
             }
         }
-        sum + store_all(start, outputs, self.outputs.as_ref())
+        sum + store_all(way, start, outputs, self.outputs.as_ref())
     }
 }
 
@@ -176,6 +175,20 @@ impl<'t, M: Mechanism<Scalar: Element>> Destination<M, EntriesOf<'t, M>> {
         sines.all(|(column, unknown)| column.is_empty() || unknown.is_direction)
     }
 
+    /// The numbers before the first whole line of every column, if that is the same place in all of them and every
+    /// number is wanted: there is no line for the others.
+    pub(super) fn before_lines(&self) -> Option<usize> {
+        let sines = self.sines.as_ref().iter().zip(M::DESCRIPTION.unknowns);
+        let sines = sines.filter_map(|(column, unknown)| unknown.is_direction.then_some(column));
+        let unknowns = self.unknowns.as_ref().iter().flat_map(AsRef::as_ref);
+        let outputs = self.outputs.as_ref().iter().flat_map(AsRef::as_ref);
+        let mut columns = unknowns.chain(outputs).chain(sines);
+        let before = columns.next()?.as_ptr().align_offset(LINE);
+        columns
+            .all(|column| !column.is_empty() && column.as_ptr().align_offset(LINE) == before)
+            .then_some(before)
+    }
+
     /// The bytes of the wanted columns of so many poses.
     pub(super) fn bytes(&self, count: usize) -> usize {
         let wanted = self.rows().flatten().filter(|column| !column.is_empty()).count();
@@ -222,7 +235,12 @@ impl<M: Mechanism<Scalar: Element>, const W: usize> Destination<M, ViewOf<'_, M,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], columns: &[impl Row<C>]) -> V {
+fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(
+    way: impl Way<C, V>,
+    start: usize,
+    motions: &[R],
+    columns: &[impl Row<C>],
+) -> V {
     // The compiler knows that adding a negative zero changes nothing.
     let mut sum = V::constant(-0.0);
     for (motion, columns) in motions.iter().zip(columns) {
@@ -230,7 +248,7 @@ fn store_all<C: Copy, V: Stored<C>, R: Row<V>>(start: usize, motions: &[R], colu
         let mut own = V::constant(-0.0);
         for order in 0..R::LENGTH {
             own = own + motion[order];
-            motion[order].store(columns[order], start);
+            way.store(motion[order], columns[order], start);
         }
         sum = sum + own;
     }
@@ -252,6 +270,25 @@ fn look_at_motions<'v, 't: 'v, const W: usize, E: Element>(
 pub(super) trait Stored<C>: Number {
     /// Stores the number, starting at a given pose, unless it is not wanted.
     fn store(self, column: C, start: usize);
+}
+
+/// A way of numbers into columns of the form `C`.
+///
+/// This is a trait and not a closure, because closures cannot be marked for inlining.
+pub(super) trait Way<C, V>: Copy {
+    /// Stores a number, starting at a given pose, unless it is not wanted.
+    fn store(self, number: V, column: C, start: usize);
+}
+
+/// The way of ordinary stores.
+#[derive(Clone, Copy)]
+pub(super) struct Ordinary;
+
+impl<C, V: Stored<C>> Way<C, V> for Ordinary {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store(self, number: V, column: C, start: usize) {
+        number.store(column, start);
+    }
 }
 
 impl<E: Element> Stored<Entries<'_, E>> for E {

@@ -39,6 +39,7 @@ mod destination;
 mod dispatch;
 mod fold;
 pub(crate) mod lanes;
+mod line;
 mod loads;
 mod outcome;
 #[cfg(feature = "rayon")]

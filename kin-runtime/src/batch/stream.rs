@@ -2,22 +2,22 @@
 //!
 //! An ordinary store reads its cache line from the memory before it changes it. A non-temporal store of a whole line
 //! reads nothing. But a chunk starts anywhere within a line, and in each column elsewhere. So chunks go to stages, from
-//! which the lines of the columns are stored. Vectors of 512 bits are whole lines; with narrower ones this takes longer
-//! than it saves.
-#![cfg_attr(
-    all(feature = "std", target_arch = "x86_64"),
-    expect(
-        unsafe_code,
-        reason = "an instruction stores a line by its address, and may be used on a machine that has it"
-    )
+//! which the lines of the columns are stored. Vectors of 512 bits are whole lines; with narrower ones stages take longer
+//! than they save. There the numbers are stored past the caches at once, where every column starts at the same place of
+//! its line.
+#![expect(
+    unsafe_code,
+    reason = "lines are stored by their addresses, with vectors of a machine that has them"
 )]
 
 use core::cell::Cell;
 
-use super::destination::{Destination, Entries, EntriesOf, LINE, ViewOf};
-use crate::batch::lanes::Element;
+use super::destination::{Destination, Entries, EntriesOf, Ordinary, ViewOf, Way};
+use super::line::{LINE, fence, have_lines, store_lines};
+use super::view::View;
+use crate::batch::lanes::{Element, Lanes, for_each_lane};
 use crate::mechanism::Mechanism;
-use crate::number::Number;
+use crate::number::{Number, Row};
 
 /// The bytes of columns from which on hardly any of them are still in a cache when all have been stored. Tests have
 /// fewer poses.
@@ -25,6 +25,9 @@ const LONG: usize = if cfg!(test) { 1 << 15 } else { 1 << 25 };
 
 /// The number of chunks after one with a failure that are stored as usual, because poses fail beside each other.
 const CALM: usize = 64;
+
+/// Numbers of a pose that hardly wait for the memory. Tests have fewer.
+const FEW: usize = if cfg!(test) { 0 } else { 16 };
 
 /// The number of chunks on a stage.
 const CHUNKS: usize = 2;
@@ -37,32 +40,53 @@ pub(super) struct Stage<E, const W: usize>([[E; W]; CHUNKS + 1]);
 /// The columns of all numbers, as chunks are stored in them.
 type Chunks<'s, M, const W: usize> = Destination<M, ViewOf<'s, M, W>>;
 
-/// The way of chunks into the columns of a batch, which leads over stages if that is faster.
+/// The way of chunks into the columns of a batch, past the caches if that is faster.
 pub(super) struct Streams<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> {
     columns: &'s Destination<M, EntriesOf<'d, M>>,
     /// The place for numbers that are not wanted.
     spare: &'s [Cell<M::Scalar>; W],
+    /// The numbers before the first whole line of every column, if chunks that are lines go past the caches at once.
+    before_lines: Option<usize>,
     staged: Option<Staged<'s, M, W>>,
-    /// The pose from which on chunks may go to the stages.
+    /// The pose from which on chunks may go past the caches.
     calm: usize,
 }
 
 /// The stages of the columns that are wanted.
 struct Staged<'s, M: Mechanism<Scalar: Element>, const W: usize> {
     stages: Destination<M, EntriesOf<'s, M>>,
+    /// The paths of the columns that are wanted, from the chunk at the pose `first` on.
+    paths: Destination<M, Option<Path<'s, M::Scalar, W>>>,
+    first: usize,
+    /// Whether no chunk shares a line with the one before.
+    are_lines: bool,
     /// The pose with which the next chunk on the stages starts. It is `None` if nothing is on them.
     next: Option<usize>,
     /// The place of that chunk.
     place: usize,
 }
 
+/// The numbers on the stage of a column and those in the column, from the start of the same line on.
+#[derive(Clone, Copy)]
+struct Path<'s, E, const W: usize> {
+    stage: View<'s, Cell<E>, W>,
+    column: View<'s, Cell<E>, W>,
+}
+
 impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> Streams<'s, 'd, M, W, BITS> {
-    /// Whether vectors of so many bits are lines that can be stored past the caches. It is tested in constants, so that
-    /// stages are compiled for these vectors only.
-    const HAVE_LINES: bool = cfg!(all(feature = "std", target_arch = "x86_64")) && BITS == 8 * LINE;
+    /// Whether chunks may go past the caches at once: with vectors that are halves of lines, which the kernel is
+    /// compiled for once more then. Few numbers hardly wait for the memory. The numbers of Newton's method depend on
+    /// those beside them, so that its chunks do not start where lines do.
+    pub(super) const PAST: bool = have_lines(BITS)
+        && BITS < 8 * LINE
+        && M::ASSEMBLY_COUNT > 0
+        && <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH > FEW;
+
+    /// Whether chunks may go to stages.
+    const HAVE_STAGES: bool = have_lines(BITS) && BITS == 8 * LINE;
 
     /// The way into the columns of a batch, which may be a piece of one of so many poses. Chunks from a given pose on
-    /// may go to the stages.
+    /// may go past the caches.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(
         columns: &'s Destination<M, EntriesOf<'d, M>>,
@@ -71,27 +95,59 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
         room: &'s mut Option<Destination<M, Stage<M::Scalar, W>>>,
         spare: &'s [Cell<M::Scalar>; W],
     ) -> Self {
-        let mut staged = None;
-        if const { Self::HAVE_LINES } && columns.are_filled() && columns.bytes(whole) >= LONG {
-            let zero = M::Scalar::constant(0.0);
-            let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
-            staged = Some(Staged::new(columns, room));
+        let (mut before_lines, mut staged) = (None, None);
+        if const { Self::PAST || Self::HAVE_STAGES } && columns.are_filled() && columns.bytes(whole) >= LONG {
+            if const { Self::PAST } {
+                before_lines = columns.before_lines();
+            }
+            if const { Self::HAVE_STAGES } {
+                let zero = M::Scalar::constant(0.0);
+                let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
+                staged = Some(Staged::new(columns, room));
+            }
         }
         Self {
             columns,
             spare,
+            before_lines,
             staged,
             calm,
         }
     }
 
+    /// Whether a chunk that starts at a given pose goes past the caches at once.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn passes(&self, start: usize) -> bool {
+        let entry = start % const { LINE / size_of::<M::Scalar>() };
+        Self::PAST && start >= self.calm && self.before_lines == Some(entry)
+    }
+
+    /// Stores the motions of a chunk that starts at a given pose, which [passes](Self::passes) the caches or not.
+    /// Returns the [sum](Destination::store) of all numbers.
+    ///
+    /// Chunks that go to stages turn to other columns. These are copied, because a choice between two references makes
+    /// a small linkage a twentieth slower.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store<const PASSES: bool, R: Row<Lanes<W, BITS, M::Scalar>>>(
+        &mut self,
+        start: usize,
+        chunks: &mut Chunks<'s, M, W>,
+        unknowns: &[R],
+        sines: &[Option<Lanes<W, BITS, M::Scalar>>],
+        outputs: &[R],
+    ) -> Lanes<W, BITS, M::Scalar> {
+        if PASSES {
+            return chunks.store(Past, start, unknowns, sines, outputs);
+        }
+        let first = self.turn(start, chunks);
+        chunks.store(Ordinary, first, unknowns, sines, outputs)
+    }
+
     /// Turns to the columns in which a chunk that starts at a given pose is stored, and returns the pose at which it
     /// starts there.
-    ///
-    /// The columns are copied, because a choice between two references makes a small linkage a twentieth slower.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn turn(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>) -> usize {
-        if const { Self::HAVE_LINES }
+    fn turn(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>) -> usize {
+        if const { Self::HAVE_STAGES }
             && let Some(staged) = &mut self.staged
         {
             if staged.next != Some(start) {
@@ -111,34 +167,36 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
     /// Goes on after a chunk without failures.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn advance(&mut self) {
-        if const { Self::HAVE_LINES }
+        if const { Self::HAVE_STAGES }
             && let Some(staged) = &mut self.staged
         {
-            staged.advance(self.columns);
+            staged.advance::<BITS>();
         }
     }
 
     /// Moves the chunk that starts at a given pose into the columns, where poses that have failed are settled.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn interrupt(&mut self, start: usize, chunks: &mut Chunks<'s, M, W>) {
-        if const { Self::HAVE_LINES }
+        if const { Self::HAVE_STAGES }
             && let Some(staged) = &mut self.staged
         {
             let chunk = if staged.next == Some(start) { W } else { 0 };
             if staged.unload(self.columns, chunk) {
                 *chunks = self.columns.in_chunks(self.spare);
             }
-            self.calm = start + CALM * W;
         }
+        self.calm = start + CALM * W;
     }
 
     /// Moves the last numbers into the columns.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn end(&mut self) {
-        if const { Self::HAVE_LINES }
+        if const { Self::HAVE_STAGES }
             && let Some(staged) = &mut self.staged
         {
             staged.unload(self.columns, 0);
+        }
+        if const { Self::PAST || Self::HAVE_STAGES } {
             fence();
         }
     }
@@ -158,6 +216,9 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
         }
         Self {
             stages,
+            paths: Destination::splat(None),
+            first: 0,
+            are_lines: false,
             next: None,
             place: 0,
         }
@@ -185,19 +246,25 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
     #[inline(never)]
     fn load(
         &mut self,
-        columns: &Destination<M, EntriesOf<'_, M>>,
+        columns: &'s Destination<M, EntriesOf<'_, M>>,
         start: usize,
         spare: &'s [Cell<M::Scalar>; W],
     ) -> Chunks<'s, M, W> {
-        self.each(columns, |column, stage| {
-            let before = in_line_before(column, start);
-            copy(&column[start - before..start], &stage[W - before..]);
-        });
-        (self.next, self.place) = (Some(start), 0);
+        (self.first, self.next, self.place, self.are_lines) = (start, Some(start), 0, true);
         let mut places = Destination::nowhere();
-        for (places, stages) in places.rows_mut().zip(self.stages.rows()) {
-            for (place, stage) in places.iter_mut().zip(stages) {
-                *place = stage.get(W..).unwrap_or_default();
+        let rows = columns.rows().zip(self.stages.rows());
+        for (((columns, stages), paths), places) in rows.zip(self.paths.rows_mut()).zip(places.rows_mut()) {
+            let columns = columns.iter().zip(stages).zip(paths).zip(places);
+            for (((column, stage), path), place) in columns.filter(|(((_, stage), _), _)| !stage.is_empty()) {
+                let before = in_line_before(column, start);
+                let (from, to) = (&stage[W - before..], &column[start - before..]);
+                copy(&to[..before], from);
+                *path = Some(Path {
+                    stage: View::each(from, spare),
+                    column: View::each(to, spare),
+                });
+                *place = &stage[W..];
+                self.are_lines &= before == 0;
             }
         }
         places.in_chunks(spare)
@@ -221,12 +288,28 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
 
     /// Stores the lines that end in the next chunk.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn advance(&mut self, columns: &Destination<M, EntriesOf<'_, M>>) {
-        if let Some(next) = self.next {
-            let place = self.place;
-            self.each(columns, |column, stage| store_lines::<_, W>(column, next, stage, place));
-            self.next = Some(next + W);
-            self.place = (place + 1) % CHUNKS;
+    fn advance<const BITS: usize>(&mut self) {
+        let Some(next) = self.next else {
+            return;
+        };
+        for Path { stage, column } in self.paths.rows().flatten().flatten() {
+            let (chunk, place) = (stage.chunk(self.place * W), column.chunk(next - self.first));
+            // SAFETY: the column starts with a line there, as a chunk consists of lines. Only a machine with AVX-512
+            // comes here, by `HAVE_STAGES`.
+            unsafe { store_lines::<W, BITS, _>(chunk.as_ptr().cast(), place) };
+        }
+        self.next = Some(next + W);
+        self.place = (self.place + 1) % CHUNKS;
+        if self.place == 0 && !self.are_lines {
+            // numbers that share a line with the next ones go to the front
+            for stage in self.stages.rows().flatten() {
+                if let (Some(front), Some(end)) = (stage.first_chunk::<W>(), stage.last_chunk::<W>()) {
+                    let numbers = Lanes::<W, BITS, _>::from_fn(|lane| end[lane].get());
+                    for_each_lane!(lane in 0..W {
+                        front[lane].set(numbers.0[lane]);
+                    });
+                }
+            }
         }
     }
 }
@@ -243,53 +326,15 @@ fn copy<E: Copy>(from: Entries<'_, E>, to: Entries<'_, E>) {
     }
 }
 
-/// Stores the lines of a column that end in a chunk, which starts at the pose `next` and lies at a place of the stage.
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn store_lines<E: Element, const W: usize>(column: Entries<'_, E>, next: usize, stage: Entries<'_, E>, place: usize) {
-    use core::arch::x86_64::__m512i;
-    let before = in_line_before(column, next);
-    debug_assert!(column.len() >= next + W && stage.len() == (CHUNKS + 1) * W);
-    // SAFETY: `before` numbers lie before the chunk, on the stage as well, since they share a line with its first and
-    // a chunk has at least a line. From there on `W` numbers are stored, which are whole lines: the first one begins
-    // with a line of the column. Both slices consist of cells, which may be changed, and contain the chunk. Only a
-    // machine with AVX-512 comes here, by `HAVE_LINES`.
-    unsafe {
-        let from = stage.as_ptr().add((place + 1) * W - before).cast::<__m512i>();
-        let to = column.as_ptr().add(next - before).cast::<__m512i>().cast_mut();
-        let mut line = 0;
-        while line < const { W * size_of::<E>() / LINE } {
-            store_line(from.add(line), to.add(line));
-            line += 1;
-        }
-        if place == CHUNKS - 1 {
-            // what is left for the next line goes to the front
-            let line = LINE / size_of::<E>();
-            let [front, end] = [W, (CHUNKS + 1) * W].map(|end| stage.as_ptr().add(end - line).cast::<[u64; 8]>());
-            front.cast_mut().write(end.read());
-        }
-    }
-}
+/// The way past the caches. Only [`Streams::store`] sends chunks there.
+#[derive(Clone, Copy)]
+struct Past;
 
-/// Without such vectors nothing is on a stage.
-#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
-fn store_lines<E: Element, const W: usize>(_: Entries<'_, E>, _: usize, _: Entries<'_, E>, _: usize) {}
-
-/// # Safety
-/// The machine must have AVX-512, and the second address must be that of a line.
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
-#[inline]
-#[target_feature(enable = "avx512f")]
-unsafe fn store_line(from: *const core::arch::x86_64::__m512i, to: *mut core::arch::x86_64::__m512i) {
-    // SAFETY: the caller's
-    unsafe { core::arch::x86_64::_mm512_stream_si512(to, from.read_unaligned()) }
-}
-
-/// Orders the lines that have been stored past the caches before all later stores, as others may expect.
-fn fence() {
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    // SAFETY: every machine with vectors has this instruction.
-    unsafe {
-        core::arch::x86_64::_mm_sfence();
+impl<E: Element, const W: usize, const BITS: usize> Way<View<'_, Cell<E>, W>, Lanes<W, BITS, E>> for Past {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store(self, numbers: Lanes<W, BITS, E>, column: View<'_, Cell<E>, W>, start: usize) {
+        // SAFETY: only chunks that pass the caches go this way, with vectors that have lines: each of them is wanted,
+        // and every column starts with a line at this pose.
+        unsafe { store_lines::<W, BITS, E>(numbers.0.as_ptr(), column.chunk(start)) }
     }
 }

@@ -7,7 +7,7 @@ use num_traits::{Float, Zero};
 
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::{Destination, EntriesOf};
+use super::destination::{Destination, EntriesOf, Ordinary, ViewOf};
 use super::dispatch::{Kernel, Vectors, is_slow_in_halves};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::stream::Streams;
@@ -25,6 +25,16 @@ type MotionsInLanes<M, const W: usize, const BITS: usize> =
     <<M as Mechanism>::With<Lanes<W, BITS, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
         <M as Mechanism>::Motion<Lanes<W, BITS, <M as Mechanism>::Scalar>>,
     >;
+
+/// Parameters, unknowns and what depends on the parameters alone, of as many poses as there are lanes.
+type ParametersInLanes<M, const W: usize, const BITS: usize> = <<M as Mechanism>::With<
+    Lanes<W, BITS, <M as Mechanism>::Scalar>,
+> as Mechanism>::Parameters<Lanes<W, BITS, <M as Mechanism>::Scalar>>;
+type UnknownsInLanes<M, const W: usize, const BITS: usize> = <<M as Mechanism>::With<
+    Lanes<W, BITS, <M as Mechanism>::Scalar>,
+> as Mechanism>::Unknowns<Lanes<W, BITS, <M as Mechanism>::Scalar>>;
+type PreparedInLanes<M, const W: usize, const BITS: usize> =
+    <<M as Mechanism>::With<Lanes<W, BITS, <M as Mechanism>::Scalar>> as Mechanism>::Prepared;
 
 /// The entries of the transmission angles of a declared mechanism.
 pub(super) type AngleEntries<'t, M> = TransmissionColumns<EntriesOf<'t, M>, <M as Mechanism>::Dyads<EntriesOf<'t, M>>>;
@@ -354,7 +364,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> PoseByPose<'_, '_, 'a, 
         };
         self.destination.store_inputs(index, inputs.as_ref());
         self.destination
-            .store(index, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+            .store(Ordinary, index, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
         result
     }
 }
@@ -384,7 +394,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, BITS, M::Scalar>::constant(0.0);
         let spare = core::array::from_fn(|_| Cell::new(M::Scalar::zero()));
-        let mut destination = alone.destination.in_chunks(&spare);
+        let destination = alone.destination.in_chunks(&spare);
         let mut of_dyads = M::Dyads::splat(View::same(&spare));
         look_at_entries(of_dyads.as_mut(), alone.angles.of_dyads.as_ref(), &spare);
         let angles = TransmissionColumns {
@@ -409,13 +419,6 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             repeat(same.as_mut(), columns);
             look(near.as_mut(), columns, same.as_ref());
         }
-        let mut dimensions = Row::splat(zero);
-        let mut guess = Row::splat(zero);
-        let mut motions: MotionsInLanes<M, W, BITS> = Row::splat(Row::splat(zero));
-        let (has_inputs, has_sines) = (alone.destination.has_inputs(), alone.destination.has_sines());
-        let has_angles = alone.angles.are_wanted();
-        let are_same = batch.parameters.as_ref().iter().all(|column| column.length().is_none());
-        let (mut prepared, mut is_prepared) = (None, false);
         let second = if const { M::ASSEMBLY_COUNT > 0 } {
             alone.destination.second_chunk::<W>()
         } else {
@@ -423,7 +426,24 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         };
         let mut stages = None;
         let whole = count.max(batch.whole);
-        let mut streams = Streams::<M, W, BITS>::new(alone.destination, whole, second + W, &mut stages, &spare);
+        let mut run = ChunkRun {
+            alone: &alone,
+            parameters,
+            inputs,
+            near,
+            destination,
+            angles,
+            streams: Streams::new(alone.destination, whole, second + W, &mut stages, &spare),
+            has_inputs: alone.destination.has_inputs(),
+            has_angles: alone.angles.are_wanted(),
+            are_same: batch.parameters.as_ref().iter().all(|column| column.length().is_none()),
+            dimensions: Row::splat(zero),
+            guess: Row::splat(zero),
+            motions: Row::splat(Row::splat(zero)),
+            prepared: None,
+            is_prepared: false,
+        };
+        let has_sines = alone.destination.has_sines();
         // the first pose without an outcome
         let mut next = 0;
         // If there are fewer poses than lanes, they are solved one by one.
@@ -431,60 +451,17 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             // The last chunk overlaps the one before it, and the second one may. The overlapped poses are solved twice,
             // with the same result.
             let start = if next == W { second } else { next }.min(count - W);
-            // The given numbers are gathered where they are needed, and again where they are needed later: if they were
-            // kept, those that are found would not fit into the registers. For the same reason all numbers are stored
-            // before they are tested.
-            if has_inputs {
-                gather_all(&mut motions, inputs.as_ref(), start);
-                destination.store_inputs(start, motions.as_ref());
+            let sum = if const { Streams::<M, W, BITS>::PAST } && run.streams.passes(start) {
+                run.solve::<true>(start)
+            } else {
+                run.solve::<false>(start)
+            };
+            if sum.is_finite_throughout() {
+                run.streams.advance();
+                next = start + W;
+                continue;
             }
-            // those of the chunk before are still there if they are the same for all poses
-            if !is_prepared {
-                gather(&mut dimensions, parameters.as_ref(), start);
-            }
-            if G::IS_NEAR {
-                gather(&mut guess, near.as_ref(), start);
-            }
-            gather_all(&mut motions, inputs.as_ref(), start);
-            let mechanism = M::With::from_parameters(dimensions);
-            let mut sum = Lanes([M::Scalar::nan(); W]);
-            verdicts::forget::<M::Scalar>();
-            if !is_prepared {
-                prepared = Some(mechanism.prepare());
-                // a verdict about the parameters is left again for each chunk
-                is_prepared = are_same && verdicts::are_none::<W, BITS, M::Scalar>();
-            }
-            if let Some(prepared) = &prepared
-                && let Ok(pose) = batch.guide.solve(&mechanism, prepared, motions, guess)
-            {
-                let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
-                let sines = pose.unknown_sines();
-                let first = streams.turn(start, &mut destination);
-                sum = destination.store(first, unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
-                if has_angles {
-                    gather(&mut dimensions, parameters.as_ref(), start);
-                    gather_all(&mut motions, inputs.as_ref(), start);
-                    let mechanism = M::With::from_parameters(dimensions);
-                    sum = sum + angles.store(start, angles_at(&mechanism, &motions, &pose).as_ref());
-                }
-                if sum.is_finite_throughout() {
-                    streams.advance();
-                    next = start + W;
-                    continue;
-                }
-            }
-            streams.interrupt(start, &mut destination);
-            destination.clear(start, sum.gaps());
-            angles.clear(start, sum.gaps());
-            gather(&mut dimensions, parameters.as_ref(), start);
-            gather_all(&mut motions, inputs.as_ref(), start);
-            let mut squares = Lanes::constant(0.0);
-            for entry in dimensions.as_ref() {
-                squares = squares.plus_product(*entry, *entry);
-            }
-            for motion in motions.as_ref() {
-                squares = squares.plus_product(motion[0], motion[0]);
-            }
+            let squares = run.clear(start, sum.gaps());
             let chunk = Chunk {
                 start,
                 next,
@@ -501,7 +478,100 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             }
             next = start + W;
         }
-        streams.end();
+        run.streams.end();
         conclusion.end(next, outcomes, |index| alone.settle(index))
+    }
+}
+
+/// The chunks of a batch, with the columns in the form in which lanes read and write them.
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact about columns of its own")]
+struct ChunkRun<'s, 'p, 'd, 'a, M: Mechanism<Scalar: Element>, G, const W: usize, const BITS: usize> {
+    alone: &'s PoseByPose<'p, 'd, 'a, M, G>,
+    parameters: M::Parameters<View<'s, M::Scalar, W>>,
+    inputs: M::Inputs<M::Motion<View<'s, M::Scalar, W>>>,
+    near: M::Unknowns<View<'s, M::Scalar, W>>,
+    destination: Destination<M, ViewOf<'s, M, W>>,
+    angles: TransmissionColumns<ViewOf<'s, M, W>, M::Dyads<ViewOf<'s, M, W>>>,
+    streams: Streams<'s, 'd, M, W, BITS>,
+    has_inputs: bool,
+    has_angles: bool,
+    /// Whether the parameters of all poses are the same.
+    are_same: bool,
+    /// The numbers that were gathered last.
+    dimensions: ParametersInLanes<M, W, BITS>,
+    guess: UnknownsInLanes<M, W, BITS>,
+    motions: MotionsInLanes<M, W, BITS>,
+    prepared: Option<PreparedInLanes<M, W, BITS>>,
+    is_prepared: bool,
+}
+
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, const W: usize, const BITS: usize>
+    ChunkRun<'_, '_, '_, 'a, M, G, W, BITS>
+{
+    /// Solves the chunk that starts at a given pose and stores its numbers, which [pass](Streams::passes) the caches or
+    /// not. Returns the sum of all numbers of each pose: NaN if the chunk fails as a whole.
+    ///
+    /// The given numbers are gathered where they are needed, and again where they are needed later: if they were kept,
+    /// those that are found would not fit into the registers. For the same reason all numbers are stored before they
+    /// are tested.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn solve<const PASSES: bool>(&mut self, start: usize) -> Lanes<W, BITS, M::Scalar> {
+        if self.has_inputs {
+            gather_all(&mut self.motions, self.inputs.as_ref(), start);
+            self.destination.store_inputs(start, self.motions.as_ref());
+        }
+        // those of the chunk before are still there if they are the same for all poses
+        if !self.is_prepared {
+            gather(&mut self.dimensions, self.parameters.as_ref(), start);
+        }
+        if G::IS_NEAR {
+            gather(&mut self.guess, self.near.as_ref(), start);
+        }
+        gather_all(&mut self.motions, self.inputs.as_ref(), start);
+        let mechanism = M::With::from_parameters(self.dimensions);
+        verdicts::forget::<M::Scalar>();
+        if !self.is_prepared {
+            self.prepared = Some(mechanism.prepare());
+            // a verdict about the parameters is left again for each chunk
+            self.is_prepared = self.are_same && verdicts::are_none::<W, BITS, M::Scalar>();
+        }
+        let guide = self.alone.batch.guide;
+        let Some(prepared) = &self.prepared else {
+            return Lanes([M::Scalar::nan(); W]);
+        };
+        let Ok(pose) = guide.solve(&mechanism, prepared, self.motions, self.guess) else {
+            return Lanes([M::Scalar::nan(); W]);
+        };
+        let (unknowns, sines, outputs) = (pose.unknown_columns(), pose.unknown_sines(), pose.output_motions());
+        let (unknowns, sines, outputs) = (unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
+        let (streams, columns) = (&mut self.streams, &mut self.destination);
+        let mut sum = streams.store::<PASSES, _>(start, columns, unknowns, sines, outputs);
+        if self.has_angles {
+            gather(&mut self.dimensions, self.parameters.as_ref(), start);
+            gather_all(&mut self.motions, self.inputs.as_ref(), start);
+            let mechanism = M::With::from_parameters(self.dimensions);
+            let angles = angles_at(&mechanism, &self.motions, &pose);
+            sum = sum + self.angles.store(start, angles.as_ref());
+        }
+        sum
+    }
+
+    /// Stores NaN in the place of the numbers that have been found for some poses: where `gone` is NaN. It is a
+    /// negative zero for the others. Returns the sum of the squares of parameters and inputs.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn clear(&mut self, start: usize, gone: Lanes<W, BITS, M::Scalar>) -> Lanes<W, BITS, M::Scalar> {
+        self.streams.interrupt(start, &mut self.destination);
+        self.destination.clear(start, gone);
+        self.angles.clear(start, gone);
+        gather(&mut self.dimensions, self.parameters.as_ref(), start);
+        gather_all(&mut self.motions, self.inputs.as_ref(), start);
+        let mut squares = Lanes::constant(0.0);
+        for entry in self.dimensions.as_ref() {
+            squares = squares.plus_product(*entry, *entry);
+        }
+        for motion in self.motions.as_ref() {
+            squares = squares.plus_product(motion[0], motion[0]);
+        }
+        squares
     }
 }

@@ -223,10 +223,13 @@ fn check_long_columns<T: Element + Into<f64>>(line: usize) {
                     expected.extend(bits(column));
                 }
             }
-            for shift in 0..line {
-                let mut memory = vec![vec![beside; LONG + 2 * line]; 15];
-                // the third column starts in another place of its line than the first two, and so on
-                let starts: Vec<usize> = (0..15).map(|column| (shift + column / 2 * 3) % line + 1).collect();
+            // all columns start at the same place of a line, or the third at another one than the first two, and so on
+            for (shift, apart) in (0..line).flat_map(|shift| [(shift, 0), (shift, 3)]) {
+                let mut memory = vec![vec![beside; LONG + 3 * line]; 15];
+                let place = |column: usize| (shift + column / 2 * apart) % line + 1;
+                let columns = memory.iter().enumerate();
+                let starts = columns.map(|(column, memory)| memory.as_ptr().align_offset(64) + place(column));
+                let starts: Vec<usize> = starts.collect();
                 let columns = memory.iter_mut().zip(&starts);
                 let mut columns = columns.map(|(column, start)| &mut column[*start..][..LONG]);
                 let mut poses = FourBarBatch::filled(|| columns.next().unwrap());
@@ -242,7 +245,7 @@ fn check_long_columns<T: Element + Into<f64>>(line: usize) {
                     let others = column[..start].iter().chain(&column[start + LONG..]);
                     others.into_iter().all(|number| *number == beside)
                 });
-                assert!(is_same && are_kept, "{vectors:?}, {shift}, {failures:?}");
+                assert!(is_same && are_kept, "{vectors:?}, {shift}, {apart}, {failures:?}");
             }
         }
     }

@@ -50,7 +50,7 @@ impl<'v, T, const W: usize> View<'v, T, W> {
 
     /// The chunk that starts at a given pose, or the last one if there are not so many poses.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn chunk(&self, start: usize) -> &'v [T; W] {
+    pub(super) fn chunk(&self, start: usize) -> &'v [T; W] {
         let first = start.min(self.last);
         // SAFETY: `first <= last`, so that `first + W <= numbers.len()` by the invariant of `last`: the array lies
         // within the slice, whose lifetime it has. An array has the alignment of its entries.

@@ -425,7 +425,8 @@ mod tests {
                         set(a >= b || b > c)
                     }),
                     (E::exclusion::<W, BITS>(&at_least, &exceeding), &|a, b, c| {
-                        set(b > c && !(a >= b))
+                        let is_at_least = a >= b;
+                        set(b > c && !is_at_least)
                     }),
                     (E::selection::<W, BITS>(&at_least, &b, &c), &|a, b, c| {
                         if a >= b { b } else { c }

@@ -124,7 +124,7 @@ pub(super) fn root<const W: usize, const BITS: usize, E: Element>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn largest<const W: usize, const BITS: usize, E: Element>(vector: &[Lanes<W, BITS, E>]) -> Lanes<W, BITS, E> {
     let sizes = vector.iter().map(|entry| entry.magnitude());
-    sizes.fold(Lanes::constant(0.0), |largest, size| largest.or_larger(size))
+    sizes.fold(Lanes::constant(0.0), Lanes::or_larger)
 }
 
 #[cfg(test)]
