@@ -1,7 +1,8 @@
 //! Conditions that hold in some lanes.
 //!
-//! The checks of a solver decide about whole vectors. If they decided about one lane after the other, the compiler would
-//! find vectors again, but with the lanes in another order: Newton's method takes a seventh longer then.
+//! The checks of a solver decide about whole vectors, unless they [are long](crate::solve::Check::IS_LONG). If they
+//! decided about one lane after the other, the compiler would find vectors again, but with the lanes in another order:
+//! Newton's method takes a seventh longer then.
 
 use core::ops::{BitAnd, BitOr, Not};
 
@@ -13,7 +14,7 @@ use crate::solve::Real;
 
 /// The lanes in which a condition holds: all bits of a number there, and none in the others.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Mask<const W: usize, const BITS: usize, E>(Lanes<W, BITS, E>);
+pub(crate) struct Mask<const W: usize, const BITS: usize, E>(pub(super) Lanes<W, BITS, E>);
 
 impl<const W: usize, const BITS: usize, E: Element> Mask<W, BITS, E> {
     /// One number where the condition holds, and another elsewhere.
@@ -87,12 +88,12 @@ impl<const W: usize, const BITS: usize, E: Element> Real for Lanes<W, BITS, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rounded(self) -> Self {
-        self.map(Real::rounded)
+        Self::from_fn(|lane| self.0[lane].rounded())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn raised(self) -> Self {
-        self.map(Real::raised)
+        Self::from_fn(|lane| self.0[lane].raised())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -106,9 +106,23 @@ impl<const W: usize, const BITS: usize, E: Element> Lanes<W, BITS, E> {
 
     /// The lanes that pass a check.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn passing<const N: usize, const K: usize>(check: impl Check<Self, N, K>) -> Mask<W, BITS, E> {
-        let conditions = check.holds(check.operands()).into_iter();
-        conditions.fold(Self::certainly(true), |passing, condition| passing & condition)
+    fn passing<const N: usize, const K: usize, C: Check<Self, N, K>>(check: C) -> Mask<W, BITS, E> {
+        let operands = check.operands();
+        if !C::IS_LONG {
+            let conditions = check.holds(operands).into_iter();
+            return conditions.fold(Self::certainly(true), |passing, condition| passing & condition);
+        }
+        let Mask(mut passing) = Self::certainly(true);
+        for_each_lane!(lane in 0..W {
+            // One condition after the other: the compiler vectorises a comparison with a selection, but not a
+            // conjunction. A selection within the array would be stored in part, and could not be read at once.
+            let mut bits = passing.0[lane];
+            for holds in check.holds(Self::at(&operands, lane)) {
+                bits = if holds { bits } else { E::zero() };
+            }
+            passing.0[lane] = bits;
+        });
+        Mask(passing)
     }
 
     /// The values in one lane.
@@ -337,7 +351,12 @@ impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E>
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
-        measure.measure(measure.operands())
+        let operands = measure.operands();
+        let mut measured = Self::constant(0.0);
+        for_each_lane!(lane in 0..W {
+            measured.0[lane] = measure.measure(Self::at(&operands, lane));
+        });
+        measured
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

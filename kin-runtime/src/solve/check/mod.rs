@@ -32,6 +32,10 @@ use crate::solve::Scalar;
 
 /// A check on which the path to a solution depends: `K` conditions on `N` operands, all of which must hold.
 pub trait Check<T, const N: usize, const K: usize>: Copy {
+    /// Whether the conditions have so many operations that a kernel for several poses would not inline their closures.
+    /// It decides about each pose then.
+    const IS_LONG: bool = false;
+
     /// The subject of the check, in a few words.
     fn name(&self) -> &'static str;
 

@@ -231,6 +231,8 @@ struct ValueInRange<T> {
 }
 
 impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
+    const IS_LONG: bool = true;
+
     fn name(&self) -> &'static str {
         "range of a value"
     }
@@ -268,6 +270,8 @@ struct AngleInRange<T> {
 }
 
 impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
+    const IS_LONG: bool = true;
+
     fn name(&self) -> &'static str {
         "range of an angle"
     }

@@ -88,6 +88,8 @@ impl<T: Scalar> Check<T, 1, 2> for Regular<T> {
 pub(in crate::solve) struct Finite<T, const N: usize>(pub(in crate::solve) [T; N]);
 
 impl<T: Scalar, const N: usize> Check<T, N, N> for Finite<T, N> {
+    const IS_LONG: bool = true;
+
     fn name(&self) -> &'static str {
         "finite numbers"
     }
