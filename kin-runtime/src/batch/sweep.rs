@@ -394,7 +394,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, BITS, M::Scalar>::constant(0.0);
         let spare = core::array::from_fn(|_| Cell::new(M::Scalar::zero()));
-        let destination = alone.destination.in_chunks(&spare);
+        let mut chunks = alone.destination.in_chunks(&spare);
         let mut of_dyads = M::Dyads::splat(View::same(&spare));
         look_at_entries(of_dyads.as_mut(), alone.angles.of_dyads.as_ref(), &spare);
         let angles = TransmissionColumns {
@@ -426,20 +426,19 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
         };
         let mut stages = None;
         let whole = count.max(batch.whole);
-        let mut run = ChunkRun {
-            alone: &alone,
+        let mut streams = Streams::new(alone.destination, whole, second + W, &mut stages, &spare);
+        let run = ChunkRun {
+            guide: batch.guide,
             parameters,
             inputs,
             near,
-            destination,
             angles,
-            streams: Streams::new(alone.destination, whole, second + W, &mut stages, &spare),
             has_inputs: alone.destination.has_inputs(),
             has_angles: alone.angles.are_wanted(),
             are_same: batch.parameters.as_ref().iter().all(|column| column.length().is_none()),
+        };
+        let mut kept = Kept {
             dimensions: Row::splat(zero),
-            guess: Row::splat(zero),
-            motions: Row::splat(Row::splat(zero)),
             prepared: None,
             is_prepared: false,
         };
@@ -451,17 +450,19 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             // The last chunk overlaps the one before it, and the second one may. The overlapped poses are solved twice,
             // with the same result.
             let start = if next == W { second } else { next }.min(count - W);
-            let sum = if const { Streams::<M, W, BITS>::PAST } && run.streams.passes(start) {
-                run.solve::<true>(start)
+            let sum = if const { Streams::<M, W, BITS>::PAST } && streams.passes(start) {
+                run.solve::<true, _>(start, &mut kept, &mut streams, &mut chunks)
             } else {
-                run.solve::<false>(start)
+                run.solve::<false, _>(start, &mut kept, &mut streams, &mut chunks)
             };
             if sum.is_finite_throughout() {
-                run.streams.advance();
+                streams.advance();
                 next = start + W;
                 continue;
             }
-            let squares = run.clear(start, sum.gaps());
+            streams.interrupt(start, &mut chunks);
+            chunks.clear(start, sum.gaps());
+            let squares = run.clear(start, &mut kept, sum.gaps());
             let chunk = Chunk {
                 start,
                 next,
@@ -478,36 +479,33 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
             }
             next = start + W;
         }
-        run.streams.end();
+        streams.end();
         conclusion.end(next, outcomes, |index| alone.settle(index))
     }
 }
 
-/// The chunks of a batch, with the columns in the form in which lanes read and write them.
-#[expect(clippy::struct_excessive_bools, reason = "each is a fact about columns of its own")]
-struct ChunkRun<'s, 'p, 'd, 'a, M: Mechanism<Scalar: Element>, G, const W: usize, const BITS: usize> {
-    alone: &'s PoseByPose<'p, 'd, 'a, M, G>,
+/// What is given for the chunks of a batch, with the columns in the form in which lanes read them.
+struct ChunkRun<'s, M: Mechanism<Scalar: Element>, G, const W: usize> {
+    guide: G,
     parameters: M::Parameters<View<'s, M::Scalar, W>>,
     inputs: M::Inputs<M::Motion<View<'s, M::Scalar, W>>>,
     near: M::Unknowns<View<'s, M::Scalar, W>>,
-    destination: Destination<M, ViewOf<'s, M, W>>,
     angles: TransmissionColumns<ViewOf<'s, M, W>, M::Dyads<ViewOf<'s, M, W>>>,
-    streams: Streams<'s, 'd, M, W, BITS>,
     has_inputs: bool,
     has_angles: bool,
     /// Whether the parameters of all poses are the same.
     are_same: bool,
-    /// The numbers that were gathered last.
+}
+
+/// What is kept from one chunk to the next.
+struct Kept<M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> {
     dimensions: ParametersInLanes<M, W, BITS>,
-    guess: UnknownsInLanes<M, W, BITS>,
-    motions: MotionsInLanes<M, W, BITS>,
     prepared: Option<PreparedInLanes<M, W, BITS>>,
+    /// Whether dimensions and what is prepared are those of all chunks.
     is_prepared: bool,
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, const W: usize, const BITS: usize>
-    ChunkRun<'_, '_, '_, 'a, M, G, W, BITS>
-{
+impl<'a, 's, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, const W: usize> ChunkRun<'s, M, G, W> {
     /// Solves the chunk that starts at a given pose and stores its numbers, which [pass](Streams::passes) the caches or
     /// not. Returns the sum of all numbers of each pose: NaN if the chunk fails as a whole.
     ///
@@ -515,61 +513,72 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, const W: usize, const B
     /// those that are found would not fit into the registers. For the same reason all numbers are stored before they
     /// are tested.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn solve<const PASSES: bool>(&mut self, start: usize) -> Lanes<W, BITS, M::Scalar> {
+    fn solve<const PASSES: bool, const BITS: usize>(
+        &self,
+        start: usize,
+        kept: &mut Kept<M, W, BITS>,
+        streams: &mut Streams<'s, '_, M, W, BITS>,
+        chunks: &mut Destination<M, ViewOf<'s, M, W>>,
+    ) -> Lanes<W, BITS, M::Scalar> {
+        let zero = Lanes::constant(0.0);
+        let mut motions: MotionsInLanes<M, W, BITS> = Row::splat(Row::splat(zero));
+        let mut guess: UnknownsInLanes<M, W, BITS> = Row::splat(zero);
         if self.has_inputs {
-            gather_all(&mut self.motions, self.inputs.as_ref(), start);
-            self.destination.store_inputs(start, self.motions.as_ref());
+            gather_all(&mut motions, self.inputs.as_ref(), start);
+            chunks.store_inputs(start, motions.as_ref());
         }
         // those of the chunk before are still there if they are the same for all poses
-        if !self.is_prepared {
-            gather(&mut self.dimensions, self.parameters.as_ref(), start);
+        if !kept.is_prepared {
+            gather(&mut kept.dimensions, self.parameters.as_ref(), start);
         }
         if G::IS_NEAR {
-            gather(&mut self.guess, self.near.as_ref(), start);
+            gather(&mut guess, self.near.as_ref(), start);
         }
-        gather_all(&mut self.motions, self.inputs.as_ref(), start);
-        let mechanism = M::With::from_parameters(self.dimensions);
+        gather_all(&mut motions, self.inputs.as_ref(), start);
+        let mechanism = M::With::from_parameters(kept.dimensions);
         verdicts::forget::<M::Scalar>();
-        if !self.is_prepared {
-            self.prepared = Some(mechanism.prepare());
+        if !kept.is_prepared {
+            kept.prepared = Some(mechanism.prepare());
             // a verdict about the parameters is left again for each chunk
-            self.is_prepared = self.are_same && verdicts::are_none::<W, BITS, M::Scalar>();
+            kept.is_prepared = self.are_same && verdicts::are_none::<W, BITS, M::Scalar>();
         }
-        let guide = self.alone.batch.guide;
-        let Some(prepared) = &self.prepared else {
+        let Some(prepared) = &kept.prepared else {
             return Lanes([M::Scalar::nan(); W]);
         };
-        let Ok(pose) = guide.solve(&mechanism, prepared, self.motions, self.guess) else {
+        let Ok(pose) = self.guide.solve(&mechanism, prepared, motions, guess) else {
             return Lanes([M::Scalar::nan(); W]);
         };
         let (unknowns, sines, outputs) = (pose.unknown_columns(), pose.unknown_sines(), pose.output_motions());
         let (unknowns, sines, outputs) = (unknowns.as_ref(), sines.as_ref(), outputs.as_ref());
-        let (streams, columns) = (&mut self.streams, &mut self.destination);
-        let mut sum = streams.store::<PASSES, _>(start, columns, unknowns, sines, outputs);
+        let mut sum = streams.store::<PASSES, _>(start, chunks, unknowns, sines, outputs);
         if self.has_angles {
-            gather(&mut self.dimensions, self.parameters.as_ref(), start);
-            gather_all(&mut self.motions, self.inputs.as_ref(), start);
-            let mechanism = M::With::from_parameters(self.dimensions);
-            let angles = angles_at(&mechanism, &self.motions, &pose);
+            gather(&mut kept.dimensions, self.parameters.as_ref(), start);
+            gather_all(&mut motions, self.inputs.as_ref(), start);
+            let mechanism = M::With::from_parameters(kept.dimensions);
+            let angles = angles_at(&mechanism, &motions, &pose);
             sum = sum + self.angles.store(start, angles.as_ref());
         }
         sum
     }
 
-    /// Stores NaN in the place of the numbers that have been found for some poses: where `gone` is NaN. It is a
-    /// negative zero for the others. Returns the sum of the squares of parameters and inputs.
+    /// Stores NaN in the place of the transmission angles of some poses: where `gone` is NaN. It is a negative zero for
+    /// the others. Returns the sum of the squares of parameters and inputs.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn clear(&mut self, start: usize, gone: Lanes<W, BITS, M::Scalar>) -> Lanes<W, BITS, M::Scalar> {
-        self.streams.interrupt(start, &mut self.destination);
-        self.destination.clear(start, gone);
+    fn clear<const BITS: usize>(
+        &self,
+        start: usize,
+        kept: &mut Kept<M, W, BITS>,
+        gone: Lanes<W, BITS, M::Scalar>,
+    ) -> Lanes<W, BITS, M::Scalar> {
+        let mut motions: MotionsInLanes<M, W, BITS> = Row::splat(Row::splat(Lanes::constant(0.0)));
         self.angles.clear(start, gone);
-        gather(&mut self.dimensions, self.parameters.as_ref(), start);
-        gather_all(&mut self.motions, self.inputs.as_ref(), start);
+        gather(&mut kept.dimensions, self.parameters.as_ref(), start);
+        gather_all(&mut motions, self.inputs.as_ref(), start);
         let mut squares = Lanes::constant(0.0);
-        for entry in self.dimensions.as_ref() {
+        for entry in kept.dimensions.as_ref() {
             squares = squares.plus_product(*entry, *entry);
         }
-        for motion in self.motions.as_ref() {
+        for motion in motions.as_ref() {
             squares = squares.plus_product(motion[0], motion[0]);
         }
         squares
