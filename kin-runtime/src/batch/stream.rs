@@ -1,10 +1,10 @@
 //! Columns that do not fit into the caches: their lines are stored past them.
 //!
 //! An ordinary store reads its cache line from the memory before it changes it. A non-temporal store of a whole line
-//! reads nothing. But a chunk starts anywhere within a line, and in each column elsewhere. So chunks go to stages, from
-//! which the lines of the columns are stored. Vectors of 512 bits are whole lines; with narrower ones stages take longer
-//! than they save. There the numbers are stored past the caches at once, where every column starts at the same place of
-//! its line.
+//! reads nothing. But a chunk starts anywhere within a line, and in each column elsewhere. So chunks of vectors of 512
+//! bits, which are whole lines, go to stages, from which the lines of the columns are stored. With narrower vectors
+//! stages take longer than they save. Their chunks go past the caches at once, where every column starts at the same
+//! place of its line.
 #![expect(
     unsafe_code,
     reason = "lines are stored by their addresses, with vectors of a machine that has them"
