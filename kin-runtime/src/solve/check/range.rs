@@ -143,12 +143,10 @@ impl<R: Real> Span<R> {
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds_strictly(self, value: R) -> R::Truth {
         within(value, self.low, self.high)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds(self, value: R) -> R::Truth {
         let above = value.is_at_least(R::of(self.low) - self.tolerance);
         R::both(above, || value.is_at_most(R::of(self.high) + self.tolerance))
@@ -156,7 +154,6 @@ impl<R: Real> Span<R> {
 
     /// Whether a value is clearly on one side of each end. Several poses need a distance of more than their
     /// [doubt](Scalar::DOUBT).
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn decides<T: Scalar>(self, value: R) -> R::Truth {
         let size = self.tolerance / R::of(TOLERANCE) / R::of(T::EPSILON);
         R::both(is_distinct_from::<T, R>(self.low, value, size), || {
@@ -165,7 +162,6 @@ impl<R: Real> Span<R> {
     }
 
     /// [`decides`](Self::decides) for an angle that whole revolutions may have brought into the range.
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn decides_angle<T: Scalar>(self, angle: R) -> R::Truth {
         let size = larger(angle.magnitude(), R::of(TAU));
         let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
@@ -175,13 +171,11 @@ impl<R: Real> Span<R> {
     }
 
     /// The distance of a value from the nearer end, positive inside the range.
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(self, value: R) -> R {
         let (above, below) = (value - R::of(self.low), R::of(self.high) - value);
         R::choose(below.is_below(above), || below, || above)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn distance(self, value: R) -> R {
         let outside = larger(R::of(self.low) - value, value - R::of(self.high));
         larger(outside, R::of(0.0))
@@ -207,7 +201,6 @@ impl<R: Real> Span<R> {
     }
 
     /// The representative of an angle that lies in the range, or comes closest to it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
     fn representative(self, angle: R) -> R {
         let inside = angle + R::of(TAU) * self.revolutions(angle);
         // An angle can miss a range of less than a revolution on either side.
