@@ -1,10 +1,10 @@
 //! Columns that do not fit into the caches: their lines are stored past them.
 //!
 //! An ordinary store reads its cache line from the memory before it changes it. A non-temporal store of a whole line
-//! reads nothing. But a chunk starts anywhere within a line, and in each column elsewhere. So chunks of vectors of 512
-//! bits, which are whole lines, go to stages, from which the lines of the columns are stored. With narrower vectors
-//! stages take longer than they save. Their chunks go past the caches at once, where every column starts at the same
-//! place of its line.
+//! reads nothing. If every column starts at the same place of its line, chunks of many numbers are stored so at once.
+//! Otherwise a chunk starts anywhere within a line, and in each column elsewhere. Then chunks of vectors of 512 bits,
+//! which are whole lines, go to stages, from which the lines of the columns are stored. With narrower vectors stages
+//! take longer than they save.
 #![expect(
     unsafe_code,
     reason = "lines are stored by their addresses, with vectors of a machine that has them"
@@ -74,11 +74,10 @@ struct Path<'s, E, const W: usize> {
 }
 
 impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> Streams<'s, 'd, M, W, BITS> {
-    /// Whether chunks may go past the caches at once: with vectors that are halves of lines, which the kernel is
-    /// compiled for once more then. Few numbers hardly wait for the memory. The numbers of Newton's method depend on
-    /// those beside them, so that its chunks do not start where lines do.
+    /// Whether chunks may go past the caches at once, for which the kernel is compiled once more. Few numbers hardly
+    /// wait for the memory. The numbers of Newton's method depend on those beside them, so that its chunks do not start
+    /// where lines do.
     pub(super) const PAST: bool = have_lines(BITS)
-        && BITS < 8 * LINE
         && M::ASSEMBLY_COUNT > 0
         && <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH > FEW;
 
@@ -100,7 +99,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
             if const { Self::PAST } {
                 before_lines = columns.before_lines();
             }
-            if const { Self::HAVE_STAGES } {
+            if const { Self::HAVE_STAGES } && before_lines.is_none() {
                 let zero = M::Scalar::constant(0.0);
                 let room = room.insert(Destination::splat(Stage([[zero; W]; CHUNKS + 1])));
                 staged = Some(Staged::new(columns, room));
@@ -292,11 +291,11 @@ impl<'s, M: Mechanism<Scalar: Element>, const W: usize> Staged<'s, M, W> {
         let Some(next) = self.next else {
             return;
         };
+        let (place, pose) = (self.place * W, next - self.first);
         for Path { stage, column } in self.paths.rows().flatten().flatten() {
-            let (chunk, place) = (stage.chunk(self.place * W), column.chunk(next - self.first));
             // SAFETY: the column starts with a line there, as a chunk consists of lines. Only a machine with AVX-512
             // comes here, by `HAVE_STAGES`.
-            unsafe { store_lines::<W, BITS, _>(chunk.as_ptr().cast(), place) };
+            unsafe { store_lines::<W, BITS, _>(stage.chunk(place).as_ptr().cast(), column.chunk(pose)) };
         }
         self.next = Some(next + W);
         self.place = (self.place + 1) % CHUNKS;
