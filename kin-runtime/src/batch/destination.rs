@@ -28,6 +28,11 @@ pub(super) type ViewOf<'t, M, const W: usize> = View<'t, Cell<<M as Mechanism>::
 /// The number of chunks from which a column is long. One chunk more adds at most a part of 1/32 then.
 const LONG: usize = 32;
 
+/// The numbers that are found for a pose, without sines.
+pub(super) const fn numbers<M: Mechanism>() -> usize {
+    <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH
+}
+
 /// The columns of all numbers: a `C` for each.
 pub(super) struct Destination<M: Mechanism, C: Copy> {
     inputs: InputColumns<M, C>,
@@ -68,8 +73,8 @@ impl<M: Mechanism<Scalar: Element>, C: Copy> Destination<M, C> {
         store_all(Ordinary, start, inputs, self.inputs.as_ref());
     }
 
-    /// Stores the motions that have been found, starting at a given pose.
-    /// Returns their sum: it is finite if and only if all numbers are, unless the sum itself overflows.
+    /// Stores the motions that have been found, starting at a given pose. Returns their sum: it is finite if and only
+    /// if all numbers are, unless the sum itself overflows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn store<V: Stored<C>, R: Row<V>>(
         &self,

@@ -12,7 +12,7 @@
 
 use core::cell::Cell;
 
-use super::destination::{Destination, Entries, EntriesOf, Ordinary, ViewOf, Way};
+use super::destination::{Destination, Entries, EntriesOf, Ordinary, ViewOf, Way, numbers};
 use super::line::{LINE, fence, have_lines, store_lines};
 use super::view::View;
 use crate::batch::lanes::{Element, Lanes, for_each_lane};
@@ -77,9 +77,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
     /// Whether chunks may go past the caches at once, for which the kernel is compiled once more. Few numbers hardly
     /// wait for the memory. The numbers of Newton's method depend on those beside them, so that its chunks do not start
     /// where lines do.
-    pub(super) const PAST: bool = have_lines(BITS)
-        && M::ASSEMBLY_COUNT > 0
-        && <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH > FEW;
+    pub(super) const PAST: bool = have_lines(BITS) && M::ASSEMBLY_COUNT > 0 && numbers::<M>() > FEW;
 
     /// Whether chunks may go to stages.
     const HAVE_STAGES: bool = have_lines(BITS) && BITS == 8 * LINE;
@@ -118,7 +116,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn passes(&self, start: usize) -> bool {
         let entry = start % const { LINE / size_of::<M::Scalar>() };
-        Self::PAST && start >= self.calm && self.before_lines == Some(entry)
+        start >= self.calm && self.before_lines == Some(entry)
     }
 
     /// Stores the motions of a chunk that starts at a given pose, which [passes](Self::passes) the caches or not.
@@ -195,7 +193,7 @@ impl<'s, 'd, M: Mechanism<Scalar: Element>, const W: usize, const BITS: usize> S
         {
             staged.unload(self.columns, 0);
         }
-        if const { Self::PAST || Self::HAVE_STAGES } {
+        if self.before_lines.is_some() || self.staged.is_some() {
             fence();
         }
     }

@@ -7,7 +7,7 @@ use num_traits::{Float, Zero};
 
 use super::Column;
 use super::conclusion::{Chunk, Conclusion};
-use super::destination::{Destination, EntriesOf, Ordinary, ViewOf};
+use super::destination::{Destination, EntriesOf, Ordinary, ViewOf, numbers};
 use super::dispatch::{Kernel, Vectors, is_slow_in_halves};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::stream::Streams;
@@ -375,8 +375,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_,
 
     #[inline]
     fn is_slow_in_halves(&self) -> bool {
-        let numbers = <M::Results<f64> as Row<f64>>::LENGTH * <M::Motion<f64> as Row<f64>>::LENGTH;
-        is_slow_in_halves(M::ASSEMBLY_COUNT, numbers, self.outcomes.len())
+        is_slow_in_halves(M::ASSEMBLY_COUNT, numbers::<M>(), self.outcomes.len())
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

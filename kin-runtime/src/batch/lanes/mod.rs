@@ -352,11 +352,7 @@ impl<const W: usize, const BITS: usize, E: Element> Scalar for Lanes<W, BITS, E>
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
         let operands = measure.operands();
-        let mut measured = Self::constant(0.0);
-        for_each_lane!(lane in 0..W {
-            measured.0[lane] = measure.measure(Self::at(&operands, lane));
-        });
-        measured
+        Self::from_fn(|lane| measure.measure(Self::at(&operands, lane)))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
